@@ -1,0 +1,194 @@
+# randpack: a literate laboratory for random packs. `make help` lists the verbs.
+
+PACKAGES := make gcc libc6-dev libgsl-dev libconfig-dev gnuplot-nox noweb \
+  texlive-latex-recommended texlive-fonts-recommended lmodern clang-format
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DELETE_ON_ERROR:
+.SECONDARY:
+.SUFFIXES:
+MAKEFLAGS += --no-builtin-rules
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(shell nproc)
+endif
+.DEFAULT_GOAL := help
+
+export SOURCE_DATE_EPOCH := 1767225600
+export FORCE_SOURCE_DATE := 1
+export TZ := UTC
+export LC_ALL := C.UTF-8
+export OMP_WAIT_POLICY := passive
+
+# The book's chapters in reading order, as the spine names them; the modules are
+# the chapters that hold C; the figures are what figures/ holds.
+CHAPTERS := $(shell sed -n 's/^%chapter //p' src.nw)
+WEB      := src.nw $(CHAPTERS:%=src/%.nw)
+MODULES  := $(shell grep -l '^<<\[\[[a-z_]*\.c\]\]>>=' $(CHAPTERS:%=src/%.nw) | \
+              sed 's|src/\(.*\)\.nw|\1|')
+SCENES   := $(patsubst figures/%.scene,%,$(sort $(wildcard figures/*.scene)))
+FIGURES  := $(filter-out style,$(patsubst figures/%.gp,%,$(sort $(wildcard figures/*.gp))))
+REFERENCES := $(sort $(wildcard tests/ref_*.c))
+UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
+
+CC       := gcc
+CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp \
+            -ffile-prefix-map=$(CURDIR)=.
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Werror
+LIBS     := -lconfig -lgsl -lgslcblas -lm
+SAN      := $(filter-out -O3 -g1,$(CFLAGS)) -O1 -g -fsanitize=address,undefined \
+            -fno-sanitize-recover=undefined
+B        := build
+
+.PHONY: help deps build paper data check check-slow lint mutants bench install clean
+help: ## this list
+	@echo 'randpack: a literate laboratory for random packs of hard particles'
+	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
+
+# ---------------------------------------------------------------- packages
+INSTALL = apt-get install -y --no-install-recommends $(PACKAGES)
+deps: ## install the packages (Debian 12, as root or with sudo)
+	@if dpkg-query -W -f='$${Status}\n' $(PACKAGES) 2>&1 | grep -qv '^install ok installed$$'; then \
+	  if ! command -v apt-get >/dev/null || [ ! -e /etc/debian_version ]; then \
+	    printf 'not Debian; install what corresponds to:\n  %s\n' '$(INSTALL)'; exit 1; fi; \
+	  if [ "$$(id -u)" = 0 ]; then as=; elif sudo -n true 2>/dev/null; then as=sudo; else \
+	    printf 'no rights to install; type:\n  sudo %s\n' '$(INSTALL)'; exit 1; fi; \
+	  $$as apt-get update -q && DEBIAN_FRONTEND=noninteractive $$as $(INSTALL); \
+	else echo 'deps: all there'; fi
+
+# `make deps paper`: nothing else starts before the packages are there.
+ifneq ($(filter deps,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+$(filter-out deps,$(MAKECMDGOALS)): deps
+	@$(MAKE) --no-print-directory $@
+else
+
+# ---------------------------------------------------------------- tangling
+# A stamp a module: cpif leaves the time of an unchanged file alone.
+$(B)/c/%.stamp: src/%.nw
+	@mkdir -p $(B)/c $(B)/plain
+	@for e in h c; do \
+	  if [ $$e = h ]; then L=; else L=-L; fi; \
+	  notangle $$L -R"[[$*.$$e]]" $< | cpif $(B)/c/$*.$$e; \
+	  notangle -R"[[$*.$$e]]" $< | cpif $(B)/plain/$*.$$e; done
+	@touch $@
+$(B)/c/randpack.stamp: src.nw
+	@mkdir -p $(B)/c $(B)/plain
+	@notangle -L -R'[[randpack.c]]' $< | cpif $(B)/c/randpack.c
+	@notangle -R'[[randpack.c]]' $< | cpif $(B)/plain/randpack.c
+	@touch $@
+STAMPS := $(MODULES:%=$(B)/c/%.stamp) $(B)/c/randpack.stamp
+$(B)/c/%.c $(B)/c/%.h $(B)/plain/%.c $(B)/plain/%.h: $(B)/c/%.stamp ;
+
+# ---------------------------------------------------------------- fingerprints
+# Of the code without comments, blank lines and #line, so that prose is free.
+$(B)/print/%: $(B)/plain/%.c $(B)/plain/%.h
+	@mkdir -p $(@D)
+	@cat $(B)/plain/$*.h $(B)/plain/$*.c | gcc -fpreprocessed -dD -E -P - | \
+	  sha256sum | cut -c1-16 | cpif $@
+$(B)/print/flags: Makefile
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$($(CC) -dumpfullversion)" | \
+	  sha256sum | cut -c1-16 | cpif $@
+PRINTS := $(MODULES:%=$(B)/print/%) $(B)/print/flags
+$(B)/c/prints.stamp: $(PRINTS)
+	@for p in $(PRINTS); do printf '{"%s", "%s"},\n' "$${p##*/}" "$$(<$$p)"; done | \
+	  cpif $(B)/c/prints.inc
+	@touch $@
+$(B)/c/prints.inc: $(B)/c/prints.stamp ;
+
+# ---------------------------------------------------------------- compiling
+OBJECTS := $(MODULES:%=$(B)/obj/%.o)
+$(B)/obj/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+	@mkdir -p $(@D)
+	@echo '  compile $*'
+	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
+$(B)/san/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
+-include $(wildcard $(B)/obj/*.d $(B)/san/*.d)
+$(B)/bin/randpack: $(B)/obj/randpack.o $(OBJECTS)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
+build: $(B)/bin/randpack ## leave build/bin/randpack
+
+# ---------------------------------------------------------------- computing
+# A scene runs again when its text or the fingerprint of the modules that it
+# uses has changed, not when the program has merely been linked again.
+$(B)/data/%.checked: figures/%.scene $(B)/bin/randpack
+	@mkdir -p $(@D)
+	@{ $(B)/bin/randpack plan $< | grep '^fingerprint'; sed '/^ *#/d' $<; } | cpif $(B)/data/$*.key
+	@touch $@
+$(B)/data/%.key: $(B)/data/%.checked ;
+$(B)/data/%/summary.tsv: $(B)/data/%.key
+	@echo '  compute $*'
+	@rm -rf $(@D)
+	@$(B)/bin/randpack run figures/$*.scene --out $(@D)
+	@touch $@
+data: $(SCENES:%=$(B)/data/%/summary.tsv) ## run every computation
+
+# ---------------------------------------------------------------- figures
+# The scenes that a figure reads stand in its line `# data: ...`.
+$(B)/figures/%.d: figures/%.gp
+	@mkdir -p $(@D)
+	@{ printf '$(B)/figures/$*.tex:'; sed -n 's/^# data://p' $< | tr ' ' '\n' | \
+	  sed -n '/\//{s|^| |p;b};s|.\+| $(B)/data/&/summary.tsv|p' | tr -d '\n'; echo; } | cpif $@
+	@touch $@
+ifneq ($(filter help deps clean install bench build lint mutants,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
+-include $(FIGURES:%=$(B)/figures/%.d)
+endif
+$(B)/figures/%.tex: figures/%.gp figures/style.gp
+	@echo '  draw $*'
+	@mkdir -p $(@D)
+	@gnuplot -e "name='$*'; out='$@'" figures/style.gp $<
+
+$(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
+	@awk -f figures/map.awk $(WEB) $(wildcard $(B)/plain/*.[ch]) | cpif $@
+
+# ---------------------------------------------------------------- the book
+SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv)
+$(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
+	@mkdir -p $(@D)
+	@awk -f paper/values.awk $(SUMMARIES) > $@
+$(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
+	@awk -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
+$(B)/paper/findings.tex: $(B)/findings.tsv paper/findings-tex.awk
+	@mkdir -p $(@D)
+	@awk -f paper/findings-tex.awk $< > $@
+$(B)/paper/web.tex: $(WEB)
+	@mkdir -p $(@D)
+	@noweave -n -index $(WEB) > $@
+TEX := paper/book.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
+  $(B)/paper/values.tex $(B)/paper/findings.tex $(FIGURES:%=$(B)/figures/%.tex)
+$(B)/paper.pdf: $(TEX) paper/weave
+	@echo '  weave'
+	@paper/weave $(B)/paper
+	@cp $(B)/paper/book.pdf $@
+paper: $(B)/paper.pdf ## build/paper.pdf: everything computed, drawn and woven
+	@echo 'build/paper.pdf'
+
+# ---------------------------------------------------------------- tests
+# One program a module, with the sanitizers; then the command itself.
+$(B)/test/%: tests/test_%.c $(MODULES:%=$(B)/san/%.o) $(REFERENCES) $(wildcard tests/*.h)
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $(WARNINGS) -I$(B)/c -Itests $(filter %.c %.o,$^) $(LIBS) -o $@
+check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack ## the tests, under 3 minutes
+	@tests/run $(UNITS:%=$(B)/test/%) $(sort $(wildcard tests/check-*.sh))
+check-slow: $(B)/bin/randpack ## the long tests, under 45 minutes
+	@tests/run $(sort $(wildcard tests/slow-*.sh))
+lint: $(STAMPS) $(B)/c/prints.inc ## form: the web, the warnings, the layout, the prose
+	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)'
+mutants: $(STAMPS) $(B)/c/prints.inc ## planted errors, each caught by a named test
+	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES)' '$(LIBS)'
+$(B)/bench: tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS)
+	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c -Itests $< $(wildcard tests/ref_*.c) $(OBJECTS) $(LIBS) -o $@
+bench: $(B)/bench ## speeds on this machine, recorded under data/
+	@tests/bench.sh
+
+# ---------------------------------------------------------------- the rest
+PREFIX := /usr/local
+install: $(B)/bin/randpack ## to $(PREFIX)/bin
+	install -D $(B)/bin/randpack $(DESTDIR)$(PREFIX)/bin/randpack
+endif
+clean: ## remove build/
+	rm -rf $(B)

@@ -1,0 +1,22 @@
+# figures/style.gp: the look of all figures. `name` and `out` come from the Makefile.
+set terminal cairolatex pdf size 12.6cm,7.4cm font ",10" fontscale 0.9 linewidth 1 dashlength 1.2
+set output out
+data(scene, file) = sprintf("build/data/%s/%s", scene, file)
+set encoding utf8
+set datafile separator tab
+set datafile missing "nan"
+set datafile commentschars "#"
+set border 3 linewidth 0.8
+set tics nomirror scale 0.6
+set key top right samplen 2 spacing 1.15
+set pointsize 0.45
+set bars 0.5
+# Okabe and Ito's colours, told apart by everyone, and in grey by their lightness.
+set linetype 1 lc rgb "#0072b2" lw 1.6 pt 7
+set linetype 2 lc rgb "#d55e00" lw 1.6 pt 5
+set linetype 3 lc rgb "#009e73" lw 1.6 pt 9
+set linetype 4 lc rgb "#cc79a7" lw 1.6 pt 13
+set linetype 5 lc rgb "#e69f00" lw 1.6 pt 11
+set linetype 6 lc rgb "#56b4e9" lw 1.6 pt 6
+set linetype 7 lc rgb "#000000" lw 1.2 pt 4
+set linetype 8 lc rgb "#777777" lw 0.8 dt 2 pt 1

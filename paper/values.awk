@@ -1,0 +1,27 @@
+# paper/values.awk: every number of every build/data/NAME/summary.tsv as LaTeX macros:
+# \val{NAME}{quantity} is value(error), \valonly the value, \valerr the error.
+function digits(x,   e) { # decimals that show two digits of x
+  if (x <= 0) return 0
+  e = int(log(x) / log(10)); if (log(x) < 0 && e * log(10) > log(x)) e--
+  return 1 - e
+}
+function plain(x,   s) {
+  s = sprintf("%.6g", x)
+  if (s ~ /e/) { split(s, p, "e"); return p[1] "\\times10^{" (p[2] + 0) "}" }
+  return s
+}
+BEGIN { FS = "\t"; print "% written from the summaries of the runs; do not edit" }
+FNR == 1 { n = split(FILENAME, path, "/"); name = path[n - 1] }
+/^#/ || $1 == "quantity" || NF < 3 { next }
+{
+  key = name "@" $1; error = $3
+  if (error == "nan" || error == "-nan" || error + 0 == 0) { v = plain($2); e = "0"; both = v }
+  else {
+    d = digits(error + 0)
+    if (d >= 0) { v = sprintf("%.*f", d, $2); e = sprintf("%.*f", d, error); both = v "(" sprintf("%.0f", error * 10 ^ d) ")" }
+    else { v = sprintf("%.0f", $2); e = sprintf("%.0f", error); both = v "(" e ")" }
+  }
+  printf "\\expandafter\\def\\csname val@%s\\endcsname{%s}", key, both
+  printf "\\expandafter\\def\\csname only@%s\\endcsname{%s}", key, v
+  printf "\\expandafter\\def\\csname err@%s\\endcsname{%s}\n", key, e
+}

@@ -1,0 +1,1022 @@
+/* Speed against error: each task of the chapter find-speed, in operations and
+   in seconds. A task is one line of the table `tasks` and two functions.
+
+     bench ops DIR            DIR/TABLES.tsv, then DIR/summary.tsv
+     bench seconds FILE       the record of a machine, with $BENCH_MACHINE
+     bench recorded FILE DIR  DIR/summary.tsv: rates and ratios of a record */
+#include "cells.h"
+#include "contact.h"
+#include "outcome.h"
+#include "pairs.h"
+#include "py.h"
+#include "ref_pairs.h"
+#include "ref_py.h"
+#include "ref_rsa.h"
+#include "rsa.h"
+#include "table.h"
+#include <assert.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+#include <omp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { SEED = 2012 };
+#define COUNT(ARRAY) (sizeof(ARRAY) / sizeof *(ARRAY))
+
+/* ------------------------------------------------------------ the bench */
+typedef struct {
+  const char *directory, *code;
+  Table summary, record; /* of operations, of seconds */
+  const char *task;
+  Outcome out;
+} Bench;
+
+static void say(Bench *bench, double value, double error, const char *format,
+                ...) __attribute__((format(printf, 4, 5)));
+static void say(Bench *bench, double value, double error, const char *format,
+                ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  vfprintf(bench->summary.file, format, arguments);
+  va_end(arguments);
+  fprintf(bench->summary.file, error > 0 ? "\t%.6g\t%.2g\n" : "\t%.3g\tnan\n",
+          value, error);
+}
+
+static Table begin(Bench *bench, const char *name, const char *what,
+                   const char *columns) {
+  Table table = {.file = NULL};
+  if (table_open(&table, bench->directory, name, &bench->out)) {
+    fprintf(stderr, "bench: %s\n", bench->out.text);
+    exit(UNREACHED);
+  }
+  fprintf(table.file, "# %s\n# code: %s\n# seed: %d\n# columns: %s\n", what,
+          bench->code, SEED, columns);
+  return table;
+}
+
+static void end(Bench *bench, Table *table) {
+  if (table_close(table, &bench->out)) {
+    fprintf(stderr, "bench: %s\n", bench->out.text);
+    exit(UNREACHED);
+  }
+}
+
+/* ------------------------------------------------------------ seconds */
+enum { REPEAT = 9, CASES = 8 };
+typedef struct {
+  const char *method; /* "plain..." is what the others are compared with */
+  void (*run)(void *of);
+  void *of;
+  double error; /* of the result, or NAN */
+} Case;
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static double time_case(const Case *one, double calls) {
+  double start = now();
+  for (double c = 0; c < calls; c++)
+    one->run(one->of);
+  return (now() - start) / calls;
+}
+
+static double enough_calls(const Case *one) {
+  double calls = 1;
+  while (calls < 1e6 && time_case(one, calls) * calls < 0.004)
+    calls *= 2;
+  return calls;
+}
+
+static void write_case(Bench *bench, const Case *one, const char *label,
+                       double size, double work, double t[], size_t n) {
+  gsl_sort(t, 1, n);
+  double median = gsl_stats_median_from_sorted_data(t, 1, n);
+  double quartiles = gsl_stats_quantile_from_sorted_data(t, 1, n, 0.75) -
+                     gsl_stats_quantile_from_sorted_data(t, 1, n, 0.25);
+  fprintf(bench->record.file,
+          "%s\t%s\t%s\t%g\t%.6g\t%.4g\t%.2g\t%zu\t%.3g\t%s\n", bench->task,
+          one->method, label, size, work, median,
+          n > 2 ? quartiles / 2 : GSL_NAN, n, one->error, bench->code);
+}
+
+/* Time the cases in turn, REPEAT rounds or 4 seconds: a ratio of two of them
+   then sees the same neighbours on the machine. */
+static void measure(Bench *bench, const char *label, double size, double work,
+                    const Case cases[], size_t count) {
+  double t[CASES][REPEAT], calls[CASES], start = now();
+  size_t rounds = 0;
+  assert(count <= CASES);
+  for (size_t c = 0; c < count; c++)
+    calls[c] = enough_calls(cases + c);
+  for (; rounds < REPEAT && (rounds == 0 || now() - start < 4); rounds++)
+    for (size_t c = 0; c < count; c++)
+      t[c][rounds] = time_case(cases + c, calls[c]);
+  for (size_t c = 0; c < count; c++)
+    write_case(bench, cases + c, label, size, work, t[c], rounds);
+  fprintf(stderr, "bench: %s %s %g: %.1f s\n", bench->task, label, size,
+          now() - start);
+}
+
+/* ------------------------------------------------------------ packs */
+static Pack *points(int dim, size_t n) {
+  const double cube[] = {1, 1, 1};
+  Species one = {"A", 0.1, n};
+  Box box = box_make(dim, cube, (double)n);
+  Pack *pack = pack_alloc(&box, &one, 1, false);
+  Rng rng = rng_stream(SEED, n, RNG_POSITIONS);
+  for (size_t i = 0; i < n; i++)
+    for (int k = 0; k < dim; k++)
+      pack->x[i * (size_t)dim + (size_t)k] = rng_uniform(&rng) * box.side[k];
+  return pack;
+}
+
+static Pack *unit_balls(int dim, size_t n, double volume) {
+  const double cube[] = {1, 1, 1};
+  Species one = {"A", 1, n};
+  Box box = box_make(dim, cube, volume);
+  return pack_alloc(&box, &one, 1, false);
+}
+
+static Pack *rsa_pack(int dim, size_t n, double fraction, uint64_t k,
+                      RsaReport *report) {
+  Outcome out = {0};
+  Pack *pack = unit_balls(dim, n, (double)n * pack_ball(dim, 1) / fraction);
+  Rng rng = rng_stream(SEED, k, RNG_POSITIONS);
+  rsa_fill(pack, 0, false, &rng, report, &out);
+  assert(out.status == DONE);
+  return pack;
+}
+
+/* ------------------------------------------------------------ Percus-Yevick */
+static const double py_phi[] = {0.30, 0.49, 0.575};
+static const double py_R[] = {2.1, 5, 15};
+
+/* The arithmetic ends at 1e-16; what is below 1e-15 says nothing but that,
+   and its last bits may depend on the processor. */
+static double shown(double error) {
+  return error > 1e-15 ? error : 1e-15;
+}
+
+static void py_rows(Bench *bench, Table *table, PyMethod method, double phi,
+                    size_t terms, double most[]) {
+  Py *py = py_alloc_by(method, phi, terms);
+  for (size_t k = 0; k < COUNT(py_R); k++) {
+    if (method == PY_SHELLS && terms != (size_t)(py_R[k] / 2))
+      continue;
+    double error = shown(ref_py_error(phi, py_R[k], py_g(py, py_R[k])));
+    size_t cost = method == PY_POLES ? terms : py_cost(py, py_R[k]);
+    fprintf(table->file, "%s\t%g\t%g\t%zu\t%.2g\n", py_method_name(method), phi,
+            py_R[k], cost, error);
+    if (most[k] == 0 && error < 1e-10)
+      say(bench, most[k] = (double)cost, 0, "py_%s_%g_%g_terms",
+          py_method_name(method), phi, py_R[k]);
+    if (method == PY_FFT_PLAIN || method == PY_FFT)
+      if (terms == 1 << 18)
+        say(bench, error, 0, "py_%s_%g_%g_error", py_method_name(method), phi,
+            py_R[k]);
+    if (method == PY_POLES && terms == 512)
+      say(bench, error, 0, "py_poles_%g_%g_error", phi, py_R[k]);
+  }
+  py_free(&py);
+}
+
+/* The worst error of the default over 2 <= R <= 20 in 72 steps. */
+static double py_worst(PyMethod method, double phi, size_t terms) {
+  Py *py = py_alloc_by(method, phi, terms);
+  double worst = 0;
+  for (int k = 0; k <= 72; k++)
+    worst =
+        fmax(worst, ref_py_error(phi, 2 + 0.25 * k, py_g(py, 2 + 0.25 * k)));
+  py_free(&py);
+  return shown(worst);
+}
+
+static void py_operations(Bench *bench) {
+  Table table =
+      begin(bench, "py.tsv", "Percus-Yevick g(R): error against terms summed",
+            "method\tphi\tR=r/a\tterms\tabsolute error");
+  double worst = 0;
+  for (int m = PY_AUTO; m < PY_METHODS; m++)
+    for (size_t f = 0; f < COUNT(py_phi); f++) {
+      size_t first = m == PY_POLES ? 1 : 1024,
+             last = m == PY_POLES ? 512 : 1 << 18;
+      double most[COUNT(py_R)] = {0};
+      if (m == PY_AUTO)
+        worst = fmax(worst, py_worst(PY_AUTO, py_phi[f], 0));
+      else if (m == PY_SHELLS)
+        for (size_t terms = 1; terms <= 7; terms++)
+          py_rows(bench, &table, PY_SHELLS, py_phi[f], terms, most);
+      else
+        for (size_t terms = first; terms <= last; terms *= 2)
+          py_rows(bench, &table, (PyMethod)m, py_phi[f], terms, most);
+    }
+  say(bench, worst, 0, "py_auto_worst");
+  say(bench, py_worst(PY_SHELLS, 0.575, 0), 0, "py_shells_worst");
+  end(bench, &table);
+}
+
+typedef struct {
+  PyMethod method;
+  size_t terms;
+  Py *py;
+  double sum;
+} PyJob;
+enum { VALUES = 1000 };
+
+static void py_prepare(void *of) {
+  PyJob *job = of;
+  Py *py = py_alloc_by(job->method, 0.575, job->terms);
+  job->sum += py_g(py, 5.1);
+  py_free(&py);
+}
+
+static void py_values(void *of) {
+  PyJob *job = of;
+  for (int k = 0; k < VALUES; k++)
+    job->sum += py_g(job->py, 2 + 18.0 / VALUES * k);
+}
+
+static void py_seconds(Bench *bench) {
+  static const struct {
+    PyMethod method;
+    size_t terms;
+  } jobs[] = {
+      {PY_AUTO, 0},          {PY_SHELLS, 10},      {PY_POLES, 4},
+      {PY_POLES, 64},        {PY_POLES, 512},      {PY_FFT, 1024},
+      {PY_FFT, 8192},        {PY_FFT, 65536},      {PY_FFT, 262144},
+      {PY_FFT_PLAIN, 1024},  {PY_FFT_PLAIN, 8192}, {PY_FFT_PLAIN, 65536},
+      {PY_FFT_PLAIN, 262144}};
+  for (size_t j = 0; j < COUNT(jobs); j++) {
+    PyJob job = {jobs[j].method, jobs[j].terms, NULL, 0};
+    job.py = py_alloc_by(job.method, 0.575, job.terms);
+    const char *name = py_method_name(job.method);
+    double error = py_worst(job.method, 0.575, job.terms);
+    Case one = {name, py_prepare, &job, error};
+    Case many = {name, py_values, &job, error};
+    measure(bench, "alone", (double)job.terms, 1, &one, 1);
+    measure(bench, "thousand", (double)job.terms, VALUES, &many, 1);
+    py_free(&job.py);
+  }
+}
+
+/* ------------------------------------------------------------ contact value */
+/* The curve of Percus and Yevick up to 1.25 diameters, as thin shells. */
+enum { THIN = 250, SAMPLES = 200, SPARSE = 16 };
+typedef struct {
+  double phi, truth, step;
+  double mean[THIN], share[THIN], below[THIN + 1]; /* of g; of the pairs */
+  size_t window; /* shells that hold three neighbours */
+} Profile;
+
+static void profile_make(Profile *profile, double phi) {
+  Py *py = py_alloc(phi);
+  double sum = 0;
+  profile->phi = phi;
+  profile->truth = py_contact(phi);
+  profile->step = 0.5 / THIN;
+  profile->window = THIN;
+  for (int b = 0; b < THIN; b++) {
+    double r = 2 + b * profile->step;
+    profile->mean[b] = py_mean(py, r, r + profile->step);
+    profile->share[b] = profile->mean[b] * pairs_shell(3, r, r + profile->step);
+    profile->below[b] = sum;
+    sum += profile->share[b];
+    if (profile->window == THIN && sum * phi / pack_ball(3, 1) >= 3)
+      profile->window = (size_t)b + 1;
+  }
+  for (int b = 0; b < THIN; b++) {
+    profile->share[b] /= sum;
+    profile->below[b] /= sum;
+  }
+  profile->below[THIN] = 1;
+  py_free(&py);
+}
+
+typedef struct {
+  const char *name;
+  bool fit;
+  double parameter; /* width in radii, or degree */
+} Estimator;
+static const Estimator estimators[] = {
+    {"bin", false, 0.01}, {"bin", false, 0.1}, {"bin", false, 0.5},
+    {"fit", true, 1},     {"fit", true, 2},    {"fit", true, 3}};
+enum { ESTIMATORS = COUNT(estimators) };
+
+/* The estimate from shares of the pairs, and its noise if they are so many. */
+static Contact estimate(const Profile *profile, const Estimator *how,
+                        const double share[], double pairs) {
+  double g[THIN], variance[THIN], seen = 0, all = 0, volume = 0;
+  size_t bins = how->fit ? profile->window
+                         : (size_t)(how->parameter / profile->step + 0.5);
+  for (size_t b = 0; b < bins; b++) {
+    double r = 2 + (double)b * profile->step;
+    g[b] = profile->mean[b] * share[b] / profile->share[b];
+    variance[b] = g[b] * profile->mean[b] / (pairs * profile->share[b]);
+    seen += share[b];
+    all += profile->share[b];
+    volume += pairs_shell(3, r, r + profile->step);
+  }
+  if (how->fit)
+    return contact_fit(3, g, variance, 2, profile->step, bins,
+                       (int)how->parameter);
+  double scale = profile->share[0] /
+                 (profile->mean[0] * pairs_shell(3, 2, 2 + profile->step));
+  return (Contact){seen / (scale * volume),
+                   sqrt(all / pairs) / (scale * volume),
+                   (double)bins * profile->step / 2};
+}
+
+/* Shares of about so many pairs, each drawn by itself: of SPARSE times as many
+   chances one in SPARSE is taken, so that their number scatters too. */
+static void draw(const Profile *profile, double pairs, Rng *rng,
+                 double share[]) {
+  memset(share, 0, THIN * sizeof *share);
+  for (double c = 0; c < SPARSE * pairs; c++) {
+    double u = rng_uniform(rng) * SPARSE;
+    if (u >= 1)
+      continue;
+    size_t low = 0, high = THIN;
+    while (high - low > 1) {
+      size_t middle = (low + high) / 2;
+      if (profile->below[middle] <= u)
+        low = middle;
+      else
+        high = middle;
+    }
+    share[low] += 1 / pairs;
+  }
+}
+
+static void sample(const Profile *profile, double pairs, double rms[],
+                   double rms_error[]) {
+  double share[THIN], square[ESTIMATORS][SAMPLES];
+  Rng rng =
+      rng_stream(SEED, (uint64_t)(pairs + 1000 * profile->phi), RNG_MEASURE);
+  for (size_t s = 0; s < SAMPLES; s++) {
+    draw(profile, pairs, &rng, share);
+    for (size_t e = 0; e < ESTIMATORS; e++) {
+      Contact seen = estimate(profile, estimators + e, share, pairs);
+      square[e][s] = gsl_pow_2(seen.value - profile->truth);
+    }
+  }
+  for (size_t e = 0; e < ESTIMATORS; e++) {
+    rms[e] = sqrt(gsl_stats_mean(square[e], 1, SAMPLES));
+    rms_error[e] =
+        gsl_stats_sd(square[e], 1, SAMPLES) / (2 * rms[e] * sqrt(SAMPLES));
+  }
+}
+
+/* Bias is exact, from the curve itself; noise that of independent pairs. */
+static void contact_rows(Bench *bench, Table *table, const Profile *profile,
+                         const Estimator *how, const double drawn[],
+                         double rms[][ESTIMATORS], double error[][ESTIMATORS],
+                         size_t draws) {
+  size_t e = (size_t)(how - estimators);
+  Contact one = estimate(profile, how, profile->share, 1);
+  double truth = profile->truth, bias = (one.value - truth) / truth;
+  double noise = one.error / truth;
+  for (int k = 6; k <= 16; k++) {
+    double pairs = pow(10, 0.5 * k),
+           both = gsl_hypot(bias, noise / sqrt(pairs));
+    fprintf(table->file, "%s\t%g\t%g\t%.4g\t%.3g\t%.3g\t%.3g", how->name,
+            how->parameter, profile->phi, pairs, bias, noise / sqrt(pairs),
+            both);
+    for (size_t d = 0; d <= draws; d++)
+      if (d == draws)
+        fputs("\tnan\tnan\n", table->file);
+      else if (fabs(drawn[d] / pairs - 1) < 1e-6) {
+        fprintf(table->file, "\t%.3g\t%.2g\n", rms[d][e] / truth,
+                error[d][e] / truth);
+        break;
+      }
+  }
+  say(bench, 100 * bias, 0, "contact_%s_%g_%g_bias", how->name, how->parameter,
+      profile->phi);
+  for (double percent = 1; percent > 0.05; percent /= 10) {
+    double room = gsl_pow_2(0.01 * percent) - bias * bias;
+    if (room > 0)
+      say(bench, noise * noise / room, 0, "contact_%s_%g_%g_pairs_%g",
+          how->name, how->parameter, profile->phi, percent);
+  }
+}
+
+/* Real packs: is the scatter that of independent pairs, is there a bias that
+   the cubic would see, what does a bin lose? */
+static void contact_packs(Bench *bench) {
+  enum { PACKS = 200 };
+  double row[PACKS][4];
+  RsaReport report;
+  for (size_t k = 0; k < PACKS; k++) {
+    Pack *pack = rsa_pack(3, 1000, 0.30, k, &report);
+    Contact two = contact_value(pack, 2, 2, 0),
+            three = contact_value(pack, 2, 3, 0);
+    row[k][0] = two.value;
+    row[k][1] = two.error;
+    row[k][2] = 100 * (two.value - three.value) / two.value;
+    row[k][3] = contact_first_bin(pack, 2, 0.1) - two.value;
+    pack_free(&pack);
+  }
+  double mean[4], error[4];
+  for (size_t c = 0; c < 4; c++)
+    table_mean(row[0], PACKS, 4, c, mean + c, error + c);
+  double ratio = error[0] * sqrt(PACKS) / mean[1];
+  say(bench, mean[0], error[0], "contact_packs_value");
+  say(bench, ratio, ratio / sqrt(2.0 * PACKS), "contact_packs_noise_ratio");
+  say(bench, mean[2], error[2], "contact_packs_cubic_percent");
+  say(bench, 100 * mean[3] / mean[0], 100 * error[3] / mean[0],
+      "contact_packs_bin_percent");
+}
+
+static void contact_operations(Bench *bench) {
+  static const double phi[] = {0.30, 0.575}, drawn[] = {1e3, 1e4, 1e5};
+  double rms[COUNT(drawn)][ESTIMATORS], error[COUNT(drawn)][ESTIMATORS];
+  Table table = begin(
+      bench, "contact.tsv",
+      "The contact value of the Percus-Yevick curve, relative errors",
+      "method\twidth (R) or degree\tphi\tpairs nearer than 1.25 diameters\tbias"
+      "\tnoise\trms\trms of 200 samples\tits error");
+  Profile profile;
+  for (size_t f = 0; f < COUNT(phi); f++) {
+    profile_make(&profile, phi[f]);
+    for (size_t d = 0; d < COUNT(drawn); d++)
+      sample(&profile, drawn[d], rms[d], error[d]);
+    for (size_t e = 0; e < ESTIMATORS; e++)
+      contact_rows(bench, &table, &profile, estimators + e, drawn, rms, error,
+                   COUNT(drawn));
+    say(bench, (double)profile.window * profile.step / 2, 0,
+        "contact_%g_window", phi[f]);
+  }
+  end(bench, &table);
+  contact_packs(bench);
+}
+
+static void contact_bin(void *of) {
+  contact_first_bin(of, 2, 0.1);
+}
+
+static void contact_fitted(void *of) {
+  contact_value(of, 2, 2, 0);
+}
+
+static void contact_seconds(Bench *bench) {
+  RsaReport report;
+  for (size_t n = 1000; n <= 100000; n *= 10) {
+    Pack *pack = rsa_pack(3, n, 0.30, 0, &report);
+    uint64_t count, all = pairs_count(pack, 2, 0.5, 1, &count);
+    const Case cases[] = {{"bin", contact_bin, pack, GSL_NAN},
+                          {"fit", contact_fitted, pack, GSL_NAN}};
+    measure(bench, "rsa", (double)n, (double)(all + count), cases, 2);
+    pack_free(&pack);
+  }
+}
+
+/* ------------------------------------------------------------ neighbours */
+static const double NEAR = 1.5; /* at unit density: 14 neighbours */
+
+/* Distances that the half stencil of src/cells.nw looks at. */
+static double cells_distances(const Pack *pack, double reach) {
+  Cells *cells = cells_alloc(pack, reach);
+  Span *span = memory((size_t)cells_spans_most(cells), sizeof *span);
+  double sum = 0;
+  for (size_t c = 0; c < cells->cells; c++) {
+    double own = cells->start[c + 1] - cells->start[c], seen = 0;
+    int spans = own > 0 ? cells_spans(cells, c, true, span) : 0;
+    for (int s = 0; s < spans; s++)
+      seen += span[s].end - span[s].begin;
+    sum += own * seen - own * (own + 1) / 2;
+  }
+  free(span);
+  cells_free(&cells);
+  return sum;
+}
+
+/* The same for the textbook's cells, as wide as the reach or wider. */
+static double textbook_distances(const Pack *pack, double reach) {
+  int m = (int)(2 * box_reach(&pack->box) / reach);
+  double n = (double)pack->n, sum = 0;
+  if (m < 3)
+    return n * (n - 1) / 2;
+  size_t M = (size_t)m, cells = M * M * M;
+  double *count = memory(cells, sizeof *count);
+  for (size_t i = 0; i < pack->n; i++) {
+    size_t c = 0;
+    for (int k = 0; k < 3; k++) {
+      int at = (int)(pack->x[3 * i + (size_t)k] / pack->box.side[k] * m);
+      c = c * M + (size_t)(at < m ? at : m - 1);
+    }
+    count[c]++;
+  }
+  for (size_t c = 0; c < cells; c++) {
+    size_t x = c / (M * M), y = c / M % M, z = c % M;
+    double seen = -1;
+    for (size_t q = 0; q < 27; q++)
+      seen +=
+          count[((x + q / 9 + M - 1) % M * M + (y + q / 3 % 3 + M - 1) % M) *
+                    M +
+                (z + q % 3 + M - 1) % M];
+    sum += count[c] * seen / 2;
+  }
+  free(count);
+  return sum;
+}
+
+/* Bins in which our count and that of two plain loops differ. */
+static double differences(const Pack *pack) {
+  enum { BINS = 20 };
+  uint64_t ours[BINS], plain[BINS];
+  double differ = 0, step = NEAR / BINS;
+  differ += pairs_count(pack, 0, step, BINS, ours) !=
+            ref_pairs_all(pack, 0, step, BINS, plain);
+  for (int b = 0; b < BINS; b++)
+    differ += ours[b] != plain[b];
+  return differ;
+}
+
+static void neighbours_operations(Bench *bench) {
+  Table table =
+      begin(bench, "neighbours.tsv",
+            "All pairs nearer than 1.5 at unit density: distances computed",
+            "N\tall pairs\tcells as wide as the reach\tours\tpairs found");
+  double differ = 0, cross[2] = {0, 0}, old[3] = {0, 0, 0};
+  /* from 32 points on half the box is more than the reach */
+  for (double size = 32; size < 1.1e6; size *= M_SQRT2) {
+    size_t n = (size_t)(size + 0.5), at = 0;
+    Pack *pack = points(3, n);
+    uint64_t found;
+    at = pairs_count(pack, 0, NEAR, 1, &found);
+    double row[] = {(double)n, (double)n * ((double)n - 1) / 2,
+                    textbook_distances(pack, NEAR), cells_distances(pack, NEAR),
+                    (double)(found + at)};
+    table_row(&table, row, 5);
+    for (int m = 0; m < 2; m++)
+      if (old[m] > 0 && row[2 + m] < row[1] && cross[m] == 0)
+        cross[m] = row[0];
+    old[0] = old[1] = 1;
+    if (n <= 6000)
+      differ += differences(pack);
+    if (size * M_SQRT2 > 1.1e6) {
+      say(bench, row[1] / row[3], 0, "neighbours_gain");
+      say(bench, row[2] / row[3], 0, "neighbours_gain_textbook");
+      say(bench, row[3] / row[4], 0, "neighbours_per_pair");
+    }
+    pack_free(&pack);
+  }
+  say(bench, cross[0], 0, "neighbours_cross_textbook");
+  say(bench, cross[1], 0, "neighbours_cross_ours");
+  say(bench, differ, 0, "neighbours_differences");
+  end(bench, &table);
+}
+
+typedef struct {
+  const Pack *pack;
+  double reach;
+  const char *simd;
+} PairJob;
+enum { PAIR_BINS = 100 };
+
+static void count_ours(void *of) {
+  PairJob *job = of;
+  uint64_t count[PAIR_BINS];
+  if (job->simd)
+    setenv("RANDPACK_SIMD", job->simd, 1);
+  pairs_count(job->pack, 0, job->reach / PAIR_BINS, PAIR_BINS, count);
+  unsetenv("RANDPACK_SIMD");
+}
+
+static void count_lists(void *of) {
+  PairJob *job = of;
+  uint64_t count[PAIR_BINS];
+  ref_pairs_lists(job->pack, 0, job->reach / PAIR_BINS, PAIR_BINS, count);
+}
+
+static void count_all(void *of) {
+  PairJob *job = of;
+  uint64_t count[PAIR_BINS];
+  ref_pairs_all(job->pack, 0, job->reach / PAIR_BINS, PAIR_BINS, count);
+}
+
+static double pairs_within(const Pack *pack, double reach) {
+  uint64_t count, below = pairs_count(pack, 0, reach, 1, &count);
+  return (double)(below + count);
+}
+
+static void neighbours_seconds(Bench *bench) {
+  for (size_t n = 32; n <= 1 << 17; n *= 2) {
+    Pack *pack = points(3, n);
+    PairJob job = {pack, NEAR, NULL};
+    const Case cases[] = {{"ours", count_ours, &job, 0},
+                          {"plain_lists", count_lists, &job, 0},
+                          {"all", count_all, &job, 0}};
+    measure(bench, "1.5", (double)n, pairs_within(pack, NEAR), cases,
+            n <= 1 << 14 ? 3 : 2);
+    pack_free(&pack);
+  }
+}
+
+/* ------------------------------------------------------------ pairs */
+static const double FAR = 5; /* at unit density: 524 neighbours */
+
+static void pairs_operations(Bench *bench) {
+  Pack *pack = points(3, 100000);
+  double pairs = pairs_within(pack, FAR);
+  say(bench, cells_distances(pack, FAR) / pairs, 0, "pairs_candidates_ours");
+  say(bench, textbook_distances(pack, FAR) / pairs, 0,
+      "pairs_candidates_textbook");
+  pack_free(&pack);
+}
+
+static void pairs_seconds(Bench *bench) {
+  for (size_t n = 1000; n <= 1000000; n *= 10) {
+    Pack *pack = points(3, n);
+    double reach = GSL_MIN(FAR, pairs_reach_limit(pack));
+    PairJob job[] = {{pack, reach, "default"},
+                     {pack, reach, "avx2"},
+                     {pack, reach, "avx512f"},
+                     {pack, reach, NULL}};
+    const Case cases[] = {{"default", count_ours, job, 0},
+                          {"avx2", count_ours, job + 1, 0},
+                          {"avx512f", count_ours, job + 2, 0},
+                          {"plain_lists", count_lists, job + 3, 0}};
+    measure(bench, "5", (double)n, pairs_within(pack, reach), cases, 4);
+    pack_free(&pack);
+  }
+}
+
+/* ------------------------------------------------------------ rsa */
+static const double rsa_deficit[] = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005};
+enum { RSA_BALLS = 10000 };
+
+/* Saturation from this many balls' volume of box, and that of all of them. */
+static double saturate(int dim, size_t n, uint64_t k, RsaReport *report) {
+  const double cube[] = {1, 1, 1};
+  Species one = {"A", 1, 0};
+  double near = dim == 2 ? 0.547 : 0.384; /* sets the size of the box only */
+  Box box = box_make(dim, cube, (double)n * pack_ball(dim, 1) / near);
+  Rng rng = rng_stream(SEED + n, k, RNG_POSITIONS);
+  Pack *pack = rsa_saturate(&box, &one, 1, NULL, 0, &rng, report);
+  double fraction = pack_fraction(pack);
+  assert(report->saturated);
+  pack_free(&pack);
+  return fraction;
+}
+
+/* What is missing from saturation after so much work, one by one and ours. */
+static void rsa_approach(Bench *bench, Table *table, int dim, size_t packs) {
+  double sum[RSA_CURVE] = {0}, limit = 0, work = 0, attempts = 0, trials = 0;
+  int curve = RSA_CURVE;
+  RsaReport report;
+  for (size_t k = 0; k < packs; k++) {
+    double fraction = saturate(dim, RSA_BALLS, k, &report);
+    limit += fraction / (double)packs;
+    work += (double)(report.trials + report.tests) / (double)report.placed;
+    trials += (double)report.trials / (double)report.placed;
+    attempts += report.attempts / (double)report.placed;
+    curve = GSL_MIN(curve, report.curve_n);
+    for (int c = 0; c < curve; c++)
+      sum[c] += fraction - report.curve_fraction[c];
+  }
+  for (int c = 0; c < curve; c++) {
+    double missing = sum[c] / (double)packs, time = report.curve_time[c];
+    if (missing > 1e-4)
+      fprintf(table->file, "naive\t%d\t%.4g\t%.4g\n", dim,
+              time / (limit - missing), missing);
+  }
+  for (size_t d = 0; d < COUNT(rsa_deficit); d++) {
+    size_t n = (size_t)(RSA_BALLS * (1 - rsa_deficit[d] / limit));
+    Pack *pack = rsa_pack(dim, n, limit - rsa_deficit[d], 7, &report);
+    fprintf(table->file, "ours\t%d\t%.4g\t%.4g\n", dim,
+            (double)(report.trials + report.tests) / (double)n, rsa_deficit[d]);
+    pack_free(&pack);
+  }
+  fprintf(table->file, "ours\t%d\t%.4g\t0\n", dim, work / (double)packs);
+  say(bench, work / (double)packs, 0, "rsa_%d_work", dim);
+  say(bench, trials / (double)packs, 0, "rsa_%d_trials", dim);
+  say(bench, attempts / (double)packs, 0, "rsa_%d_attempts", dim);
+}
+
+/* Do the attempts that our trials stand for agree with those of a program that
+   makes them? */
+static void rsa_honest(Bench *bench, int dim, double fraction) {
+  enum { PACKS = 40 };
+  double row[PACKS][2], mean[2], error[2];
+  RsaReport report;
+  for (size_t k = 0; k < PACKS; k++) {
+    Pack *pack = rsa_pack(dim, 1000, fraction, k, &report);
+    Rng rng = rng_stream(SEED, k, RNG_TEST);
+    row[k][0] = report.attempts / 1000;
+    row[k][1] = (double)ref_rsa_fill(pack, &rng, UINT64_MAX) / 1000;
+    pack_free(&pack);
+  }
+  for (size_t c = 0; c < 2; c++)
+    table_mean(row[0], PACKS, 2, c, mean + c, error + c);
+  say(bench, mean[0], error[0], "rsa_%d_attempts_ours", dim);
+  say(bench, mean[1], error[1], "rsa_%d_attempts_plain", dim);
+}
+
+/* The error of the mean saturation fraction from several packs of one size. */
+static void rsa_limit(Bench *bench, Table *table, int dim, size_t total) {
+  static const size_t size[] = {100, 1000, 10000};
+  double *fraction[3], truth = 0, trials = 0, placed = 0;
+  RsaReport report;
+  for (size_t s = 3; s-- > 0;) {
+    size_t packs = total / size[s];
+    double mean, error;
+    fraction[s] = memory(packs, sizeof(double));
+    for (size_t k = 0; k < packs; k++) {
+      fraction[s][k] = saturate(dim, size[s], k, &report);
+      trials += (double)report.trials;
+      placed += (double)report.placed;
+    }
+    table_mean(fraction[s], packs, 1, 0, &mean, &error);
+    say(bench, mean, error, "rsa_%d_limit_%zu", dim, size[s]);
+    double spread = error * sqrt((double)total);
+    say(bench, spread, spread / sqrt(2.0 * (double)packs), "rsa_%d_spread_%zu",
+        dim, size[s]);
+    truth += mean / 3;
+  }
+  for (size_t s = 0; s < 3; s++) {
+    for (size_t block = 1; total / size[s] / block >= 8; block *= 4) {
+      size_t blocks = total / size[s] / block;
+      double square = 0;
+      for (size_t b = 0; b < blocks; b++) {
+        double mean = gsl_stats_mean(fraction[s] + b * block, 1, block);
+        square += gsl_pow_2(mean - truth) / (double)blocks;
+      }
+      fprintf(table->file, "%d\t%zu\t%zu\t%.4g\t%.3g\t%.2g\n", dim, size[s],
+              size[s] * block, (double)(size[s] * block) * trials / placed,
+              sqrt(square), sqrt(square / (2 * (double)blocks)));
+    }
+    free(fraction[s]);
+  }
+}
+
+static void rsa_operations(Bench *bench) {
+  Table table = begin(bench, "rsa.tsv",
+                      "RSA: what is missing from saturation against work",
+                      "method\tdimension\tattempts, or trials and tests, a "
+                      "particle\tmissing fraction");
+  rsa_approach(bench, &table, 2, 16);
+  rsa_approach(bench, &table, 3, 8);
+  end(bench, &table);
+  rsa_honest(bench, 2, 0.45);
+  rsa_honest(bench, 3, 0.30);
+  table = begin(
+      bench, "saturation.tsv", "RSA: rms error of the mean saturation fraction",
+      "dimension\tparticles a pack, about\tparticles in all\ttrials in "
+      "all\trms error\tits error");
+  rsa_limit(bench, &table, 2, 800000);
+  rsa_limit(bench, &table, 3, 400000);
+  end(bench, &table);
+}
+
+typedef struct {
+  int dim;
+  size_t n;
+  double fraction;
+} RsaJob;
+
+static void rsa_ours(void *of) {
+  RsaJob *job = of;
+  RsaReport report;
+  Pack *pack = rsa_pack(job->dim, job->n, job->fraction, 7, &report);
+  pack_free(&pack);
+}
+
+static void rsa_plain(void *of) {
+  RsaJob *job = of;
+  Rng rng = rng_stream(SEED, 7, RNG_POSITIONS);
+  Pack *pack =
+      unit_balls(job->dim, job->n,
+                 (double)job->n * pack_ball(job->dim, 1) / job->fraction);
+  ref_rsa_fill(pack, &rng, UINT64_MAX);
+  pack_free(&pack);
+}
+
+static void rsa_full(void *of) {
+  RsaJob *job = of;
+  RsaReport report;
+  saturate(job->dim, job->n, 7, &report);
+}
+
+static void rsa_seconds(Bench *bench) {
+  static const char *const name[] = {"discs", "spheres"};
+  for (int dim = 2; dim <= 3; dim++) {
+    double limit = dim == 2 ? 0.547 : 0.384; /* which deficits to time */
+    for (size_t d = 0; d < COUNT(rsa_deficit); d++) {
+      RsaJob job = {dim, RSA_BALLS, limit - rsa_deficit[d]};
+      const Case cases[] = {{"ours", rsa_ours, &job, rsa_deficit[d]},
+                            {"plain_trials", rsa_plain, &job, rsa_deficit[d]}};
+      char label[32];
+      snprintf(label, sizeof label, "%s-%g", name[dim - 2], rsa_deficit[d]);
+      /* one by one, the last tenths of a percent take minutes */
+      measure(bench, label, RSA_BALLS, RSA_BALLS, cases,
+              rsa_deficit[d] > (dim == 2 ? 0.006 : 0.015) ? 2 : 1);
+    }
+    for (size_t n = 1000; n <= 100000; n *= 10) {
+      RsaJob job = {dim, n, 0};
+      const Case cases[] = {{"ours", rsa_full, &job, 0}};
+      char label[32];
+      snprintf(label, sizeof label, "%s-saturated", name[dim - 2]);
+      measure(bench, label, (double)n, (double)n, cases, 1);
+    }
+  }
+}
+
+/* ------------------------------------------------------------ the tasks */
+typedef struct {
+  const char *name;
+  const char *modules[12]; /* whose code it measures */
+  void (*operations)(Bench *);
+  void (*seconds)(Bench *);
+} Task;
+static const Task tasks[] = {
+    {"py", {"py", "flags"}, py_operations, py_seconds},
+    {"contact",
+     {"contact", "pairs", "cells", "rsa", "box", "rng", "flags"},
+     contact_operations,
+     contact_seconds},
+    {"neighbours",
+     {"pairs", "cells", "box", "rng", "flags"},
+     neighbours_operations,
+     neighbours_seconds},
+    {"pairs",
+     {"pairs", "cells", "box", "rng", "flags"},
+     pairs_operations,
+     pairs_seconds},
+    {"rsa", {"rsa", "box", "rng", "flags"}, rsa_operations, rsa_seconds}};
+
+static void operations(Bench *bench) {
+  char print[COUNT(tasks)][17];
+  bench->summary =
+      begin(bench, "summary.tsv", "Speed against error: operations",
+            "quantity\tvalue\tstandard_error");
+  fputs("quantity\tvalue\tstandard_error\n", bench->summary.file);
+  for (size_t t = 0; t < COUNT(tasks); t++) {
+    table_fingerprint(tasks[t].modules, print[t]);
+    bench->code = print[t];
+    bench->task = tasks[t].name;
+    double start = now();
+    tasks[t].operations(bench);
+    if (getenv("BENCH_TIMES"))
+      fprintf(stderr, "bench: %s: %.1f s\n", bench->task, now() - start);
+  }
+  end(bench, &bench->summary);
+}
+
+static void seconds(Bench *bench, const char *file, const char *only) {
+  const char *machine = getenv("BENCH_MACHINE"), *slash = strrchr(file, '/');
+  char directory[512] = ".", print[17];
+  if (slash)
+    snprintf(directory, sizeof directory, "%.*s", (int)(slash - file), file);
+  if (table_open(&bench->record, directory, slash ? slash + 1 : file,
+                 &bench->out))
+    return;
+  fprintf(
+      bench->record.file,
+      "# Seconds of one core, recorded by make bench: the median over so "
+      "many\n# repetitions, half the distance of their quartiles\n%s\n"
+      "task\tmethod\tcase\tsize\twork\tseconds\tspread\trepetitions\terror\t"
+      "code\n",
+      machine ? machine : "# machine: not described");
+  for (size_t t = 0; t < COUNT(tasks); t++) {
+    if (only && strcmp(only, tasks[t].name))
+      continue;
+    table_fingerprint(tasks[t].modules, print);
+    bench->code = print;
+    bench->task = tasks[t].name;
+    tasks[t].seconds(bench);
+  }
+  table_close(&bench->record, &bench->out);
+}
+
+/* ------------------------------------------------------------ the record */
+enum { ROWS = 1000 };
+typedef struct {
+  char task[32], method[32], label[32], code[32];
+  double size, work, seconds, spread;
+} Row;
+
+static size_t read_record(FILE *file, Row row[]) {
+  char line[512];
+  size_t n = 0;
+  while (n < ROWS && fgets(line, sizeof line, file)) {
+    Row *r = row + n;
+    n += sscanf(line, "%31s %31s %31s %lf %lf %lf %lf %*s %*s %31s", r->task,
+                r->method, r->label, &r->size, &r->work, &r->seconds,
+                &r->spread, r->code) == 8;
+  }
+  return n;
+}
+
+static bool is_plain(const Row *row) {
+  return strncmp(row->method, "plain", 5) == 0;
+}
+
+static const Row *plain_of(const Row row[], size_t n, const Row *of) {
+  for (size_t r = 0; r < n; r++)
+    if (is_plain(row + r) && row[r].size == of->size &&
+        !strcmp(row[r].task, of->task) && !strcmp(row[r].label, of->label))
+      return row + r;
+  return NULL;
+}
+
+static size_t stale_tasks(const Row row[], size_t n) {
+  size_t stale = 0;
+  char print[17];
+  for (size_t t = 0; t < COUNT(tasks); t++) {
+    bool fresh = false, old = false;
+    table_fingerprint(tasks[t].modules, print);
+    for (size_t r = 0; r < n; r++)
+      if (strcmp(row[r].task, tasks[t].name) == 0) {
+        fresh = true;
+        old = old || strcmp(row[r].code, print);
+      }
+    if (!fresh || old)
+      fprintf(stderr, "bench: %s was recorded with other code: make bench\n",
+              tasks[t].name);
+    stale += !fresh || old;
+  }
+  return stale;
+}
+
+static void recorded(Bench *bench, const char *file) {
+  FILE *record = fopen(file, "r");
+  if (!record) {
+    outcome_set(&bench->out, WRONG, "%s: no record; make bench writes it",
+                file);
+    return;
+  }
+  Row *row = memory(ROWS, sizeof *row);
+  size_t n = read_record(record, row);
+  fclose(record);
+  bench->code = "as recorded";
+  bench->summary = begin(bench, "summary.tsv", "Speed against error: seconds",
+                         "quantity\tvalue\tstandard_error");
+  fputs("quantity\tvalue\tstandard_error\n", bench->summary.file);
+  for (const Row *r = row; r < row + n; r++) {
+    const Row *plain = plain_of(row, n, r);
+    double rate = 1e-6 * r->work / r->seconds, spread = r->spread / r->seconds;
+    char name[160];
+    snprintf(name, sizeof name, "%.31s_%.31s_%.31s_%g", r->task, r->method,
+             r->label, r->size);
+    say(bench, rate, rate * spread, "%s_rate", name);
+    say(bench, 1e6 * r->seconds / r->work, 1e6 * r->spread / r->work, "%s_each",
+        name);
+    if (plain && plain != r) {
+      double ratio = plain->seconds / r->seconds;
+      double both = gsl_hypot(spread, plain->spread / plain->seconds);
+      say(bench, ratio, ratio * both, "%s_ratio", name);
+    }
+  }
+  say(bench, (double)stale_tasks(row, n), 0, "stale");
+  free(row);
+  end(bench, &bench->summary);
+}
+
+/* Ours beside the plain reference. */
+static void compare(const char *file) {
+  Row *row = memory(ROWS, sizeof *row);
+  FILE *record = fopen(file, "r");
+  size_t n = record ? read_record(record, row) : 0;
+  if (record)
+    fclose(record);
+  printf("%-11s%-18s%10s  %-9s%13s%13s%8s\n", "task", "case", "size", "method",
+         "units/s", "plain", "ratio");
+  for (const Row *r = row; r < row + n; r++) {
+    const Row *plain = plain_of(row, n, r);
+    if (plain && plain != r)
+      printf("%-11s%-18s%10g  %-9s%13.4g%13.4g%8.2f\n", r->task, r->label,
+             r->size, r->method, r->work / r->seconds,
+             plain->work / plain->seconds, plain->seconds / r->seconds);
+  }
+  free(row);
+}
+
+int main(int count, char *words[]) {
+  Bench bench = {.directory = words[count - 1]};
+  const char *verb = count > 2 ? words[1] : "";
+  omp_set_num_threads(1);
+  if (strcmp(verb, "ops") == 0)
+    operations(&bench);
+  else if (strcmp(verb, "seconds") == 0)
+    seconds(&bench, words[2], count > 3 ? words[3] : NULL);
+  else if (strcmp(verb, "recorded") == 0 && count == 4)
+    recorded(&bench, words[2]);
+  else if (strcmp(verb, "compare") == 0)
+    compare(words[2]);
+  else
+    outcome_set(&bench.out, WRONG,
+                "ops DIR | seconds FILE [TASK] | recorded FILE DIR | "
+                "compare FILE");
+  if (bench.out.status != DONE)
+    fprintf(stderr, "bench: %s\n", bench.out.text);
+  return bench.out.status;
+}

@@ -1,0 +1,78 @@
+#!/bin/bash
+# tests/check-packs.sh: packs from elsewhere. The wrong ones are refused with file, line and reason; those
+# that only look unusual give the numbers of the plain one.
+. tests/tell.sh
+cat > "$tmp/s.scene" <<'END'
+dimension = 3;
+measure   = { rdf = { reach = 4.0; step = 0.25; }; nearest = {}; coordination = {}; };
+END
+box='Lattice="8 0 0 0 8 0 0 0 8"' what='Properties=species:S:1:pos:R:3:radius:R:1' pbc='pbc="T T T"'
+full="$box $what $pbc"
+
+# bad NAME LINE WORDS TEXT: the pack TEXT is refused at this line.
+bad() {
+  local name=$1 place=$2 words=$3
+  printf '%b' "$4" > "$tmp/p.xyz"
+  tell "$name" refused "$tmp/p.xyz:$place: $words" "$randpack" measure "$tmp/p.xyz" \
+    --scene "$tmp/s.scene" --out "$tmp/new"
+}
+two='A 1 2 3 1\nA 5 6 7 1\n'
+bad 'an empty file' 1 'the file ends here; each' ''
+bad 'a word for the number' 1 'no number of particles; the first line' "two\n$full\n$two"
+bad 'a negative number' 1 'no number of particles; the first line' "-2\n$full\n$two"
+bad 'half a particle' 1 'no number of particles; the first line' "2.5\n$full\n$two"
+bad 'a number alone' 2 'the file ends here; each' '2\n'
+bad 'a file cut short' 5 'the file ends here; each' "3\n$full\n$two"
+bad 'more particles than memory' 5 'the file ends here; each' "18446744073709551615\n$full\n$two"
+bad 'a line cut short' 4 'too few columns; see' "2\n$full\nA 1 2 3 1\nA 5 6\n"
+bad 'a second pack behind the first' 5 'more lines than particles; one' "2\n$full\n$two$two"
+bad 'no box' 2 'no box; give Lattice' "2\n$what $pbc\n$two"
+bad 'a box of eight numbers' 2 'no box; give Lattice' "2\nLattice=\"8 0 0 0 8 0 0 0\" $what $pbc\n$two"
+bad 'a tilted box' 2 'the box is not rectangular; sides' "2\nLattice=\"8 0 0 1 8 0 0 0 8\" $what\n$two"
+bad 'a flat box' 2 'the box is not rectangular; sides' "2\nLattice=\"8 0 0 0 0 0 0 0 8\" $what\n$two"
+bad 'an endless box' 2 'the box is not rectangular; sides' "2\nLattice=\"inf 0 0 0 8 0 0 0 8\" $what\n$two"
+bad 'a pack that is not periodic' 2 'the pack is not periodic; give pbc' "2\n$box $what pbc=\"F F F\"\n$two"
+bad 'no columns told' 2 'no Properties; give' "2\n$box $pbc\n$two"
+bad 'no positions' 2 'no positions; Properties' "2\n$box Properties=species:S:1:radius:R:1\nA 1\nA 1\n"
+bad 'no radii' 2 'no radii; Properties' "2\n$box Properties=species:S:1:pos:R:3\nA 1 2 3\nA 5 6 7\n"
+bad 'a property of -1 columns' 2 'a property without columns; give' "2\n$box $what:x:R:-1\n$two"
+bad 'a word for a position' 4 'a word is not a number; see' "2\n$full\nA 1 2 3 1\nA 5 6,5 7 1\n"
+bad 'a position that is no number' 4 'a position is not finite; give' "2\n$full\nA 1 2 3 1\nA 5 nan 7 1\n"
+bad 'a radius of 0' 4 'a radius is not above 0; give' "2\n$full\nA 1 2 3 1\nA 5 6 7 0\n"
+bad 'a negative radius' 3 'a radius is not above 0; give' "2\n$full\nA 1 2 3 -1\nA 5 6 7 1\n"
+
+refuse() {
+  tell "$1" refused "$2" "$randpack" measure "$tmp/p.xyz" --scene "${3:-$tmp/s.scene}" --out "$tmp/new"
+}
+printf '%b' "0\n$full\n" > "$tmp/p.xyz"
+refuse 'a pack of no particles' "$tmp/p.xyz: no particles; there must be one"
+printf '%b' "2\n$box $what pbc=\"T T F\"\n$two" > "$tmp/p.xyz"
+refuse 'a pack of another dimension' "$tmp/p.xyz: has dimension 2; the scene says 3"
+printf '%b' "2\nLattice=\"8 0 0 0 7 0 0 0 9\" $what\n$two" > "$tmp/p.xyz"
+refuse 'a reach beyond half of its box' "measure.rdf.reach = 4 goes beyond half the box; the largest reach here is 3.5"
+printf '%b' "2\n$full\nA 1 2 3 1\nB 5 6 7 0.5\n" > "$tmp/p.xyz"
+printf 'dimension = 3; measure = { contact = {}; };' > "$tmp/c.scene"
+refuse 'a contact value of two sizes' "has several sizes; contact is of particles of one size" "$tmp/c.scene"
+tell 'nothing was written' test ! -e "$tmp/new"
+
+# good NAME TEXT: the pack gives the numbers of the first one.
+measure() {
+  printf '%b' "$1" > "$tmp/p.xyz"
+  rm -rf "$tmp/got"
+  ends 0 "$randpack" measure "$tmp/p.xyz" --scene "$tmp/s.scene" --out "$tmp/got"
+}
+same() { measure "$1" && diff -r "$tmp/plain" "$tmp/got"; }
+good() { tell "$1" same "$2"; }
+three='A 1.25 2 3 1\nA 5 6 7.5 1\nA 1 6.5 0 1\n'
+measure "3\n$full\n$three" && mv "$tmp/got" "$tmp/plain"
+tell 'a plain pack is measured' test "$(value number "$tmp/plain")" = 3
+good 'positions beyond the box are wrapped' "3\n$full\nA 9.25 -6 3 1\nA -11 14 7.5 1\nA 1 6.5 8 1\n"
+good 'Windows line ends' "3\r\n$full\r\nA 1.25 2 3 1\r\nA 5 6 7.5 1\r\nA 1 6.5 0 1\r\n"
+good 'blank lines at the end' "3\n$full\n$three\n\n"
+good 'no line end at the end' "3 \n$full\nA 1.25 2 3 1\nA 5 6 7.5 1\nA 1 6.5 0 1"
+good 'further columns in another order' "3\n$box Properties=id:I:1:radius:R:1:v:R:2:pos:R:3:species:S:1 $pbc\n\
+1 1 x y 1.25 2 3 A\n2 1 0 0 5 6 7.5 A 9 9\n3 1.0 0 0 1e0 6.5 0 A\n"
+good 'no species' "3\n$box Properties=pos:R:3:radius:R:1\n1.25 2 3 1\n5 6 7.5 1\n1 6.5 0 1\n"
+good 'tabs between words' "3\n$full\nA\t1.25\t2\t3\t1\nA\t5\t6\t7.5\t1\nA\t1\t6.5\t0\t1\n"
+good 'a note before the box' "3\nTime=3 MyLattice=\"1\" $full\n$three"
+exit $failed

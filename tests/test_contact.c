@@ -1,0 +1,262 @@
+/* The contact value: bias of the fit on exact profiles, counts drawn from a
+   known g, packs of a known contact value. */
+#include "contact.h"
+#include "outcome.h"
+#include "pairs.h"
+#include "rng.h"
+#include <complex.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_test.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Percus-Yevick, first shell (reference a): x g = sum of residues. */
+static double complex py_S(double p, double complex t) {
+  return (1 - p) * (1 - p) * t * t * t + 6 * p * (1 - p) * t * t +
+         18 * p * p * t - 12 * p * (1 + 2 * p);
+}
+
+static void py_roots(double p, double complex root[3]) {
+  for (int i = 0; i < 3; i++)
+    root[i] = cpow(0.4 + 0.9 * I, i) * (1 + 3 * p);
+  for (int step = 0; step < 500; step++)
+    for (int i = 0; i < 3; i++) {
+      double complex d = (1 - p) * (1 - p);
+      for (int j = 0; j < 3; j++)
+        d *= j == i ? 1 : root[i] - root[j];
+      root[i] -= py_S(p, root[i]) / d;
+    }
+}
+
+static double py_g(double p, const double complex root[3], double x) {
+  double complex sum = 0;
+  for (int i = 0; i < 3; i++) {
+    double complex t = root[i];
+    sum += t * ((1 + p / 2) * t + 1 + 2 * p) * cexp(t * (x - 1)) /
+           (3 * (1 - p) * (1 - p) * t * t + 12 * p * (1 - p) * t + 18 * p * p);
+  }
+  return creal(sum) / x;
+}
+
+/* Exact means in thin shells (Simpson); the bias against the noise of fifty
+   packs of 2000. */
+static void test_bias(void) {
+  enum { BINS = 200 };
+  const double phi[] = {0.1, 0.3, 0.49, 0.575, 0.6};
+  for (int f = 0; f < 5; f++) {
+    double p = phi[f], g[BINS], variance[BINS], near = 0, window = 0;
+    double complex root[3];
+    py_roots(p, root);
+    double exact = (1 + p / 2) / ((1 - p) * (1 - p));
+    gsl_test_rel(py_g(p, root, 1), exact, 1e-12, "PY at contact, %g", p);
+    for (; near < 3 && window < 0.25; window += 1e-5)
+      near += 24 * p * gsl_pow_2(1 + window) * py_g(p, root, 1 + window) * 1e-5;
+    double step = window / BINS;
+    for (int b = 0; b < BINS; b++) {
+      double x = 1 + b * step, half = x + step / 2, end = x + step;
+      g[b] = (py_g(p, root, x) * x * x + 4 * py_g(p, root, half) * half * half +
+              py_g(p, root, end) * end * end) /
+             (x * x + 4 * half * half + end * end);
+      variance[b] = g[b] / (24 * p * half * half * step * 1000 * 50);
+    }
+    Contact c = contact_fit(3, g, variance, 1, step, BINS, CONTACT_DEGREE);
+    gsl_test(!(fabs(c.value - exact) < 0.1 * c.error),
+             "bias at %g: %.3f of the noise (%.2f %%)", p,
+             (c.value - exact) / c.error, 100 * c.error / exact);
+    gsl_test_rel(c.window, window, 1e-12, "window");
+    gsl_test(!(c.error / exact < 0.02), "error is small");
+  }
+}
+
+/* A polynomial times shells is reproduced to rounding, 2-D and 3-D. */
+static void test_polynomial(void) {
+  double g[40], variance[40] = {0};
+  for (int dim = 2; dim <= 3; dim++)
+    for (int degree = 0; degree < 4; degree++) {
+      for (int b = 0; b < 40; b++) { /* g = sum (k + 1.7) (r - 2.3)^k */
+        double r1 = 2.3 + 0.01 * b, moment = 0, volume = 0;
+        for (int q = 0; q < 4000; q++) {
+          double r = r1 + 0.01 * (q + 0.5) / 4000, s = dim == 2 ? r : r * r;
+          double u = r - 2.3, value = 0;
+          for (int k = degree; k >= 0; k--)
+            value = value * u + k + 1.7;
+          moment += s * value;
+          volume += s;
+        }
+        g[b] = moment / volume;
+      }
+      Contact c = contact_fit(dim, g, variance, 2.3, 0.01, 40, degree);
+      gsl_test_rel(c.value, 1.7, 1e-8, "degree %d in %d-D", degree, dim);
+    }
+}
+
+/* Poisson counts of a steep known g: mean and error of the linear fit. */
+static void test_error(void) {
+  enum { BINS = 64, P = 4000 };
+  gsl_rng *rng = rng_gsl_alloc(rng_stream(91, 0, RNG_TEST));
+  double sum = 0, square = 0, error = 0;
+  for (int p = 0; p < P; p++) {
+    double g[BINS], variance[BINS], step = 0.06 / BINS;
+    for (int b = 0; b < BINS; b++) {
+      double x = 1 + (b + 0.5) * step;
+      double unit = 8000 * x * x * step; /* pairs for g = 1: few a bin */
+      unsigned n = gsl_ran_poisson(rng, unit * 7.1 * exp(-7 * (x - 1)));
+      g[b] = n / unit;
+      variance[b] = n / (unit * unit);
+    }
+    Contact c = contact_fit(3, g, variance, 1, step, BINS, CONTACT_DEGREE);
+    sum += c.value / P;
+    square += c.value * c.value / P;
+    error += c.error * c.error / P;
+  }
+  double sd = sqrt(square - sum * sum);
+  gsl_test_abs(sum, 7.1, 4 * sd / sqrt(P), "mean of fits (sd %.3f)", sd);
+  gsl_test_rel(sqrt(error), sd, 4 / sqrt(2. * P), "their error");
+  gsl_rng_free(rng);
+}
+
+/* A pack of m^dim pairs on a wide grid; the distance of a pair has the density
+   r^(d-1) exp(-kappa (r / sigma - 1)) from sigma on, by rejection. */
+static void dimers(Pack *pack, int m, double sigma, double kappa, Rng *rng) {
+  size_t dim = (size_t)pack->box.dim;
+  double side = pack->box.side[0], *x = pack->x;
+  for (size_t c = 0; c < pack->n / 2; c++) {
+    double u[3] = {0, 0, 0}, s;
+    do
+      s = -log(1 - rng_uniform(rng)) / (kappa - 2);
+    while (rng_uniform(rng) > pow(1 + s, (double)dim - 1) * exp(-2 * s));
+    rng_direction(rng, (int)dim, u);
+    size_t at = c;
+    for (size_t k = 0; k < dim; k++, at /= (size_t)m) {
+      x[k] = ((double)(at % (size_t)m) + 0.25) * side / m;
+      x[dim + k] = box_wrap(x[k] + sigma * (1 + s) * u[k], side);
+    }
+    x += 2 * dim;
+  }
+}
+
+/* The same limit by another way: g = c exp(-kappa u) in the window, kappa by
+   maximum likelihood from the pooled mean of u. Returns c / (pairs there). */
+static double by_likelihood(int dim, double mean, double window) {
+  double low = 1e-3, high = 1e3, norm = 1;
+  for (int step = 0; step < 200; step++) {
+    double kappa = 0.5 * (low + high), first = 0;
+    norm = 0;
+    for (int q = 0; q < 4000; q++) {
+      double u = window * (q + 0.5) / 4000;
+      double f = pow(1 + u, dim - 1) * exp(-kappa * u) * window / 4000;
+      norm += f;
+      first += u * f;
+    }
+    if (first / norm > mean)
+      low = kappa;
+    else
+      high = kappa;
+  }
+  return 1 / norm;
+}
+
+static void test_packs(int dim) {
+  enum { P = 400, FINE = 400 };
+  int m = dim == 2 ? 30 : 10;
+  double sigma = 0.731, kappa = 20, W = 0.05;
+  size_t pairs = dim == 2 ? 900 : 1000;
+  Species species = {.name = "a", .radius = sigma / 2, .count = 2 * pairs};
+  double ratio[3] = {1, 1, 1}, norm = 0, mean = 0, square = 0, error = 0;
+  Box box = box_make(dim, ratio, pow(4 * sigma * m, dim));
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  for (int q = 0; q < 200000; q++) {
+    double u = 2.0 * (q + 0.5) / 200000;
+    norm += pow(1 + u, dim - 1) * exp(-kappa * u) * 2.0 / 200000;
+  }
+  /* pairs per unit of r / sigma at contact, over those of g = 1 */
+  double unit = box_volume(&box) / ((double)pairs * (2 * (double)pairs - 1)) /
+                ((dim == 2 ? 2 : 4) * M_PI * pow(sigma, dim));
+  double exact = (double)pairs / norm * unit, first = 0, u_sum = 0, n_sum = 0;
+  double fixed = 0;
+  for (uint64_t p = 0; p < P; p++) {
+    Rng rng = rng_stream(4, p, RNG_TEST);
+    dimers(pack, m, sigma, kappa, &rng);
+    Contact c = contact_value(pack, sigma, CONTACT_DEGREE, 0.35);
+    mean += c.value / P;
+    square += c.value * c.value / P;
+    error += c.error * c.error / P;
+    gsl_test(!(c.window > 0.01 && c.window < 0.04), "window %g", c.window);
+    fixed += contact_value(pack, sigma, CONTACT_DEGREE, 0).window / P;
+    first += contact_first_bin(pack, sigma, 0.001 * sigma) / P;
+    uint64_t count[FINE];
+    pairs_count(pack, sigma, sigma * W / FINE, FINE, count);
+    for (int b = 0; b < FINE; b++) {
+      n_sum += (double)count[b];
+      u_sum += (double)count[b] * W * (b + 0.5) / FINE;
+    }
+  }
+  double se = sqrt((square - mean * mean) / (P - 1));
+  gsl_test_abs(mean, exact, 4 * se, "%d-D: contact of drawn packs, se %.4f",
+               dim, se);
+  gsl_test_rel(sqrt(error / P), se, 0.2, "%d-D: error of one pack", dim);
+  gsl_test_rel(fixed, 0.25, 1e-12, "%d-D: the widest window", dim);
+  double second = by_likelihood(dim, u_sum / n_sum, W) * n_sum / P * unit;
+  gsl_test_abs(mean, second, 4 * se, "%d-D: and by likelihood", dim);
+  gsl_test_rel(second, exact, 0.02, "%d-D: likelihood", dim);
+  gsl_test_rel(first, exact * (1 - 0.5 * kappa * 0.001), 0.05,
+               "%d-D: first bin", dim);
+  pack_free(&pack);
+}
+
+/* A jammed peak, ten thousand times narrower: the window follows. */
+static void test_narrow(void) {
+  double ratio[3] = {1, 1, 1}, sigma = 1.3;
+  Species species = {.name = "a", .radius = 0.65, .count = 2000};
+  Box box = box_make(3, ratio, pow(4 * sigma * 10, 3));
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  double kappa = 2e5, exact = box_volume(&box) / (1000. * 1999) * 1000 * kappa /
+                              (4 * M_PI * gsl_pow_3(sigma));
+  double mean = 0, square = 0;
+  for (uint64_t p = 0; p < 40; p++) {
+    Rng rng = rng_stream(5, p, RNG_TEST);
+    dimers(pack, 10, sigma, kappa, &rng);
+    Contact c = contact_value(pack, sigma, CONTACT_DEGREE, 0.35);
+    gsl_test(!(c.window > 1e-6 && c.window < 4e-6), "window %g", c.window);
+    mean += c.value / 40;
+    square += c.value * c.value / 40;
+  }
+  double se = sqrt((square - mean * mean) / 39);
+  gsl_test_abs(mean, exact, 4 * se, "narrow peak, se %.3g", se);
+  pack_free(&pack);
+}
+
+static void test_small(void) {
+  double ratio[3] = {1, 1, 1};
+  for (size_t n = 0; n < 4; n++) {
+    Species species = {.name = "a", .radius = 0.5, .count = n};
+    Box box = box_make(3, ratio, 1000);
+    Pack *pack = pack_alloc(&box, &species, 1, false);
+    for (size_t i = 0; i < n; i++)
+      pack->x[3 * i] = 3.0 * (double)i;
+    Contact c = contact_value(pack, 1, CONTACT_DEGREE, 0);
+    gsl_test(c.value != 0 || c.error != 0, "%zu far particles", n);
+    gsl_test(contact_first_bin(pack, 1, 0.1) != 0, "no first bin");
+    c = contact_value(pack, 6, CONTACT_DEGREE, 0);
+    gsl_test(c.value != 0 || c.window != 0, "contact beyond half the box");
+    /* all in contact, to rounding: a delta, found and finite */
+    for (size_t i = 0; i < n; i++)
+      pack->x[3 * i] = (double)i * (1 - 1e-15);
+    c = contact_value(pack, 1, CONTACT_DEGREE, 0);
+    gsl_test(n > 1 ? !(c.value > 1 && gsl_finite(c.value)) : c.value != 0,
+             "%zu in a row: %g", n, c.value);
+    pack_free(&pack);
+  }
+}
+
+int main(void) {
+  test_bias();
+  test_polynomial();
+  test_error();
+  test_packs(2);
+  test_packs(3);
+  test_narrow();
+  test_small();
+  return gsl_test_summary();
+}
