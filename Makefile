@@ -32,7 +32,7 @@ REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
 CC       := gcc
-CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp \
+CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno -fopenmp \
             -ffile-prefix-map=$(CURDIR)=.
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Werror
 LIBS     := -lconfig -lgsl -lgslcblas -lm
@@ -125,7 +125,21 @@ $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@rm -rf $(@D)
 	@$(B)/bin/randpack run figures/$*.scene --out $(@D)
 	@touch $@
+# Speed against error: the operations here, the seconds from their record.
+BENCHED := outcome simd box rng pack cells rsa pairs contact py table flags
+$(B)/data/speed/summary.tsv: tests/bench.c $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
+	@echo '  compute speed'
+	@$(B)/bench ops $(@D)
+$(B)/data/seconds/summary.tsv: data/bench-seconds.tsv tests/bench.c $(BENCHED:%=$(B)/print/%) | $(B)/bench
+	@$(B)/bench recorded $< $(@D)
 data: $(SCENES:%=$(B)/data/%/summary.tsv) ## run every computation
+
+# The hard cases, too, run again when the code has changed, not the prose.
+$(B)/hard: tests/hard.c $(OBJECTS)
+	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $^ $(LIBS) -o $@
+$(B)/hard.tsv: tests/hard tests/hard.c $(PRINTS) $(B)/plain/randpack.c | $(B)/hard $(B)/bin/randpack
+	@echo '  compute hard cases'
+	@tests/hard $@
 
 # ---------------------------------------------------------------- figures
 # The scenes that a figure reads stand in its line `# data: ...`.
@@ -146,7 +160,8 @@ $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 	@awk -f figures/map.awk $(WEB) $(wildcard $(B)/plain/*.[ch]) | cpif $@
 
 # ---------------------------------------------------------------- the book
-SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv)
+SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
+  $(B)/data/seconds/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -f paper/values.awk $(SUMMARIES) > $@
@@ -155,11 +170,14 @@ $(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
 $(B)/paper/findings.tex: $(B)/findings.tsv paper/findings-tex.awk
 	@mkdir -p $(@D)
 	@awk -f paper/findings-tex.awk $< > $@
+$(B)/paper/hard.tex: $(B)/hard.tsv paper/hard.awk
+	@mkdir -p $(@D)
+	@awk -f paper/hard.awk $< > $@
 $(B)/paper/web.tex: $(WEB)
 	@mkdir -p $(@D)
 	@noweave -n -index $(WEB) > $@
 TEX := paper/book.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
-  $(B)/paper/values.tex $(B)/paper/findings.tex $(FIGURES:%=$(B)/figures/%.tex)
+  $(B)/paper/values.tex $(B)/paper/findings.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
 $(B)/paper.pdf: $(TEX) paper/weave
 	@echo '  weave'
 	@paper/weave $(B)/paper
@@ -172,7 +190,7 @@ paper: $(B)/paper.pdf ## build/paper.pdf: everything computed, drawn and woven
 $(B)/test/%: tests/test_%.c $(MODULES:%=$(B)/san/%.o) $(REFERENCES) $(wildcard tests/*.h)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -I$(B)/c -Itests $(filter %.c %.o,$^) $(LIBS) -o $@
-check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack ## the tests, under 3 minutes
+check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 minutes
 	@tests/run $(UNITS:%=$(B)/test/%) $(sort $(wildcard tests/check-*.sh))
 check-slow: $(B)/bin/randpack ## the long tests, under 45 minutes
 	@tests/run $(sort $(wildcard tests/slow-*.sh))

@@ -1,12 +1,11 @@
 # B Fig. 7: neighbours of a site of the simple cubic lattice, and what small boxes show.
 # data: lattice-shells lattice-n1 lattice-n2
-set xrange [1.5:10.2]; set yrange [0:58]
+set xrange [1.5:10.2]; set yrange [0:54]
 set xlabel "$R=r/a$"; set ylabel "$I(R)$, centres in the shell"
-set key at graph 0.16,0.98 samplen 1.5
-set arrow from 3,0 to 3,60 nohead lt 8
-set arrow from 5,0 to 5,60 nohead lt 8
-set label "half the box, $n_l=1$" at 2.85,40 rotate by 90 center tc rgb "#777777"
-set label "$n_l=2$" at 4.85,45 rotate by 90 center tc rgb "#777777"
+set arrow from 3,0 to 3,50 nohead lt 8
+set arrow from 5,0 to 5,50 nohead lt 8
+set label "$n_l=1$" at 3.1,50 left tc rgb "#777777"
+set label "$n_l=2$" at 5.1,50 left tc rgb "#777777"
 plot data("lattice-shells", "shells.tsv") using 1:2 with impulses lt 1 lw 2.5 title "$n_l=5$", \
   "" using 1:2:(sprintf("%d", $2)) with labels offset 0,0.6 notitle, \
   data("lattice-n2", "shells.tsv") using 1:2 with points lt 2 pt 6 ps 0.8 title "$n_l=2$", \

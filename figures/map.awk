@@ -37,7 +37,7 @@ END {
     }
   }
   print "\n"
-  for (i = 1; i <= n; i++) print x(order[i]) "\t" y(order[i]) "\t\\ttfamily " order[i]
+  for (i = 1; i <= n; i++) print x(order[i]) "\t" y(order[i]) "\t\\\\ttfamily " order[i]
   print "\n"
-  for (i = 1; i <= part; i++) if (rows[i]) print (i - 1) * 2 "\t0.75\t\\scshape " title[i]
+  for (i = 1; i <= part; i++) if (rows[i]) print (i - 1) * 2 "\t0.75\t\\\\scshape " title[i]
 }

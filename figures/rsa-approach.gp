@@ -3,9 +3,9 @@
 stats data("rsa-saturation-2d", "approach.tsv") using 2 nooutput name "D"
 stats data("rsa-saturation-3d", "approach.tsv") using 2 nooutput name "S"
 set logscale xy; set format x "$10^{%T}$"; set format y "$10^{%T}$"
-set xrange [1:1e9]; set yrange [2e-5:1]
-set xlabel "time $t$, attempts $\\times\\,v/V$"; set ylabel "$\\phi(\\infty)-\\phi(t)$"
-set key bottom left
-plot data("rsa-saturation-3d", "approach.tsv") using 1:(S_max-$2) with points lt 2 title "spheres", \
-  data("rsa-saturation-2d", "approach.tsv") using 1:(D_max-$2) with points lt 1 title "discs", \
-  0.15*x**(-1./3) with lines lt 8 title "$t^{-1/3}$, $t^{-1/2}$", 0.2*x**(-1./2) with lines lt 8 notitle
+set xrange [0.3:1e9]; set yrange [1e-5:1]
+set xlabel "time $t$, attempts $\\times\\,v/V$"; set ylabel "$\\phi(\\infty)-\\phi(t)$" offset 0.5
+set key inside bottom left vertical Left reverse
+plot data("rsa-saturation-3d", "approach.tsv") every 2 using 1:(S_max-$2) with points lt 2 title "spheres", \
+  data("rsa-saturation-2d", "approach.tsv") every 2 using 1:(D_max-$2) with points lt 1 title "discs", \
+  0.3*x**(-1./3) with lines lt 8 title "slopes $-1/3$, $-1/2$", 0.3*x**(-1./2) with lines lt 8 notitle

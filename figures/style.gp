@@ -8,7 +8,7 @@ set datafile missing "nan"
 set datafile commentschars "#"
 set border 3 linewidth 0.8
 set tics nomirror scale 0.6
-set key top right samplen 2 spacing 1.15
+set key outside top center horizontal samplen 2 spacing 1.15
 set pointsize 0.45
 set bars 0.5
 # Okabe and Ito's colours, told apart by everyone, and in grey by their lightness.

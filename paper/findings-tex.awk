@@ -1,7 +1,7 @@
 # paper/findings-tex.awk: build/findings.tsv as a table of the book.
 BEGIN {
   FS = "\t"
-  print "\\small\\begin{longtable}{@{}p{4.2pc}p{10.6pc}p{5.2pc}p{11.6pc}@{}}\\toprule"
+  print "\\small\\begin{longtable}{@{}p{3.6pc}p{10pc}p{5pc}p{11pc}@{}}\\toprule"
   print "where & claim & measured & verdict\\\\\\midrule\\endhead\\bottomrule\\endfoot"
 }
 NR == 1 { next }

@@ -211,7 +211,7 @@ static void test_sizes(void) {
     for (int b = 0; b < 2; b++) {
       Pack *pack = uniform(dim, b ? thin : side, 50, 0.1, 3, false);
       Cells *cells = cells_alloc(pack, 0.01);
-      gsl_test(cells->cells > 101, "cells of a dilute pack: %zu", cells->cells);
+      gsl_test(cells->cells > 13, "cells of a dilute pack: %zu", cells->cells);
       double corner[3] = {0, 0, 0};
       for (int k = 0; k < dim; k++)
         corner[k] = nextafter(b ? thin[k] : side[k], 0);
@@ -254,7 +254,45 @@ static void test_gap(void) {
   pack_free(&pack);
 }
 
+/* Points at the reach of each other, filed one cell too high by rounding. */
+static void test_rounding(void) {
+  Rng rng = rng_stream(17, 0, RNG_TEST);
+  int high = 0, corners = 0;
+  for (int m = 5; m < 60; m++) {
+    double side[2] = {1 + 9 * rng_uniform(&rng), 0};
+    double reach = 3 * (side[0] / m);
+    side[1] = 0.55 * reach; /* one cell wide */
+    Pack *pack = uniform(2, side, (size_t)(4 * m), 0.1, 1, false);
+    Cells *probe = cells_alloc(pack, reach);
+    double corner[3] = {nextafter(side[0], 0), 0, 0};
+    corners += corner[0] / probe->width[0] >= probe->m[0];
+    gsl_test(cells_at(probe, corner) !=
+                 (size_t)((probe->m[0] - 1) * probe->m[1]),
+             "corner, m = %d", m);
+    double width = probe->width[0];
+    size_t cells = (size_t)probe->m[0];
+    for (size_t i = 0; i < pack->n; i++) {
+      double edge = (double)(i % cells) * width;
+      for (int low = (int)(i / cells); low > 0 && edge > 0; low--)
+        edge = nextafter(edge, 0);
+      high += edge < (double)(i % cells) * width &&
+              (int)(edge / width) == (int)(i % cells);
+      pack->x[2 * i] = edge;
+      pack->x[2 * i + 1] = 0;
+    }
+    cells_free(&probe);
+    Links all = all_images(pack, reach), here = found(pack, reach, false);
+    gsl_test(differ(&all, &here), "at the reach, m = %d (%zu)", m, all.n);
+    free(all.link);
+    free(here.link);
+    pack_free(&pack);
+  }
+  gsl_test(high == 0 || corners == 0, "%d were filed high, %d corners", high,
+           corners);
+}
+
 int main(void) {
+  test_rounding();
   test_images();
   test_edges();
   test_sizes();

@@ -205,6 +205,30 @@ static void test_packs(int dim) {
   pack_free(&pack);
 }
 
+/* contact_value is contact_fit on the counts of pairs_count. */
+static void test_same(void) {
+  enum { BINS = 512 };
+  double ratio[3] = {1, 1, 1}, g[BINS], variance[BINS], step = 0.25 / BINS;
+  Species species = {.name = "a", .radius = 0.5, .count = 2000};
+  Box box = box_make(3, ratio, pow(4 * 10, 3));
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  Rng rng = rng_stream(6, 0, RNG_TEST);
+  dimers(pack, 10, 1, 9, &rng);
+  uint64_t count[BINS];
+  pairs_count(pack, 1, step, BINS, count);
+  for (int b = 0; b < BINS; b++) {
+    double unit = 2 * box_volume(&box) / (2000. * 1999) /
+                  pairs_shell(3, 1 + b * step, 1 + (b + 1) * step);
+    g[b] = unit * (double)count[b];
+    variance[b] = unit * unit * (double)count[b];
+  }
+  Contact c = contact_value(pack, 1, CONTACT_DEGREE, 0);
+  Contact d = contact_fit(3, g, variance, 1, step, BINS, CONTACT_DEGREE);
+  gsl_test_rel(c.value, d.value, 1e-10, "value by hand");
+  gsl_test_rel(c.error, d.error, 1e-10, "error by hand");
+  pack_free(&pack);
+}
+
 /* A jammed peak, ten thousand times narrower: the window follows. */
 static void test_narrow(void) {
   double ratio[3] = {1, 1, 1}, sigma = 1.3;
@@ -243,9 +267,21 @@ static void test_small(void) {
     /* all in contact, to rounding: a delta, found and finite */
     for (size_t i = 0; i < n; i++)
       pack->x[3 * i] = (double)i * (1 - 1e-15);
+    double g = contact_first_bin(pack, 1, 0.2);
+    gsl_test_rel(g,
+                 n < 2
+                     ? 0
+                     : (double)(n - 1) * 1000 / (0.5 * (double)(n * (n - 1))) /
+                           (4. / 3 * M_PI * (1.728 - 1)),
+                 1e-13, "first bin, %zu in a row", n);
     c = contact_value(pack, 1, CONTACT_DEGREE, 0);
     gsl_test(n > 1 ? !(c.value > 1 && gsl_finite(c.value)) : c.value != 0,
              "%zu in a row: %g", n, c.value);
+    for (size_t i = 0; i < n; i++) /* an overlap wider than the edge rule's */
+      pack->x[3 * i] = (double)i * (1 - 1e-9);
+    Contact d = contact_value(pack, 1, CONTACT_DEGREE, 0);
+    gsl_test_rel(d.value, c.value, 1e-9, "%zu overlap a little", n);
+    gsl_test_rel(contact_first_bin(pack, 1, 0.2), g, 1e-9, "first bin too");
     pack_free(&pack);
   }
 }
@@ -256,6 +292,7 @@ int main(void) {
   test_error();
   test_packs(2);
   test_packs(3);
+  test_same();
   test_narrow();
   test_small();
   return gsl_test_summary();

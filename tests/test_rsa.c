@@ -80,8 +80,8 @@ static Cover exclusion(const Pack *pack, double a, double gap) {
           int shift[3] = {p, q, r};
           int near = 1;
           for (int k = 0; k < c.dim; k++) {
-            b.x[k] = pack->x[i * (size_t)c.dim + (size_t)k] +
-                     shift[k] * c.side[k];
+            b.x[k] =
+                pack->x[i * (size_t)c.dim + (size_t)k] + shift[k] * c.side[k];
             near = near && b.x[k] > -b.reach && b.x[k] < c.side[k] + b.reach;
           }
           if (!near)
@@ -266,11 +266,11 @@ static void test_fills(void) {
 
 static void test_proofs(void) {
   Rng rng = rng_stream(58, 3, RNG_TEST);
-  double boxes[][4] = {{2, 12.3, 17.1, 0},  {2, 2.05, 40, 0},
-                       {2, 3.3, 3.1, 0},    {2, 2, 2, 0},
-                       {2, 2.9, 2.9, 0},    {3, 7.7, 8.1, 6.9},
-                       {3, 2.1, 2.4, 42},   {3, 3.07, 3.4, 3.2},
-                       {3, 2.6, 2.6, 2.6}};
+  double boxes[][4] = {
+      {2, 12.3, 17.1, 0}, {2, 2.05, 40, 0},    {2, 3.3, 3.1, 0},
+      {2, 2, 2, 0},       {2, 2.9, 2.9, 0},    {3, 7.7, 8.1, 6.9},
+      {3, 2.1, 2.4, 42},  {3, 3.07, 3.4, 3.2}, {3, 2.6, 2.6, 2.6},
+      {2, 130, 141, 0},   {3, 18, 17, 16}};
   for (size_t b = 0; b < sizeof boxes / sizeof *boxes; b++)
     for (int kinds = 1; kinds <= 2; kinds++) {
       Box box = cuboid((int)boxes[b][0], boxes[b][1], boxes[b][2], boxes[b][3]);
@@ -293,7 +293,8 @@ static void test_proofs(void) {
       if (pack->n > 0) { /* the proof itself sees that a ball is missing */
         pack->n--;
         gsl_test(corners(pack, species[pack_kind(pack, pack->n)].radius, gap) ==
-                         0 && pack->n > 1,
+                         0 &&
+                     pack->n > 1,
                  "box %zu, %d kinds: a ball removed leaves room", b, kinds);
       }
       pack_free(&pack);
@@ -308,8 +309,9 @@ static void test_value_of_saturation(void) {
     for (uint64_t k = 0; k < 12; k++) {
       Rng rng = rng_stream(11, k, RNG_POSITIONS);
       double ratio[] = {1, 1, 1};
-      Box box = box_make(dim, ratio, (dim == 2 ? 6000 : 3000) *
-                                         pack_ball(dim, 0.77) / value[dim - 2]);
+      Box box = box_make(dim, ratio,
+                         (dim == 2 ? 6000 : 3000) * pack_ball(dim, 0.77) /
+                             value[dim - 2]);
       Species one = {"one", 0.77, 0};
       Pack *pack = rsa_saturate(&box, &one, 1, NULL, 0, &rng, NULL);
       add(&fraction, pack_fraction(pack));
@@ -356,18 +358,19 @@ static void test_two_balls(void) {
 
 /* Two discs with hardly room for the second: voxels are halved on the way. */
 static void test_tight_law(void) {
-  double D = 0.68, room = 0, sum = 0, four = 0;
-  int n = 4000;
+  double D = 0.7, room = 0, sum = 0, four = 0, most = 0.5 - D * D;
+  double window = 0.02;
+  int n = 3000;
   for (int i = 0; i < n; i++)
     for (int j = 0; j < n; j++) {
-      double x = fabs((i + 0.5) / n - 0.5), y = fabs((j + 0.5) / n - 0.5);
-      double s = x * x + y * y;
-      room += s >= D * D;
-      sum += s >= D * D ? s : 0;
-      four += s >= D * D ? fabs(x - y) : 0;
+      double x = 0.5 - window * (i + 0.5) / n, y = 0.5 - window * (j + 0.5) / n;
+      double over = x * x + y * y - D * D;
+      room += over >= 0;
+      sum += over >= 0 ? over / most : 0;
+      four += over >= 0 ? fabs(x - y) : 0;
     }
   Mean square = {0}, slant = {0}, attempts = {0};
-  Species one = {"one", 0.34, 2};
+  Species one = {"one", 0.35, 2};
   Box box = cuboid(2, 1, 1, 0);
   int deepest = 0;
   for (uint64_t k = 0; k < 20000; k++) {
@@ -378,7 +381,7 @@ static void test_tight_law(void) {
     gsl_test_int(rsa_fill(pack, 0, false, &rng, &report, &out), DONE, "tight");
     double x = box_nearest(pack->x[2] - pack->x[0], 1);
     double y = box_nearest(pack->x[3] - pack->x[1], 1);
-    add(&square, x * x + y * y);
+    add(&square, (x * x + y * y - D * D) / most);
     add(&slant, fabs(fabs(x) - fabs(y)));
     add(&attempts, report.attempts);
     deepest = GSL_MAX(deepest, report.levels);
@@ -387,7 +390,8 @@ static void test_tight_law(void) {
   gsl_test(deepest < 2, "halved %d times", deepest);
   test_value(&square, sum / room, 4, "tight: square of the distance");
   test_value(&slant, four / room, 4, "tight: slant");
-  test_value(&attempts, 1 + (double)n * n / room, 4, "tight: attempts");
+  test_value(&attempts, 1 + gsl_pow_2(n / window) / (4 * room), 4,
+             "tight: attempts");
 }
 
 /* ---- naive addition ---- */
@@ -415,8 +419,8 @@ static double near_pairs(const Pack *pack, double reach) {
 static void test_against_naive(void) {
   for (int dim = 2; dim <= 3; dim++) {
     double ratio[] = {1, 1.3, 0.9};
-    Box box = box_make(dim, ratio, 60 * pack_ball(dim, 1) /
-                                       (dim == 2 ? 0.47 : 0.31));
+    Box box =
+        box_make(dim, ratio, 60 * pack_ball(dim, 1) / (dim == 2 ? 0.47 : 0.31));
     Species one = {"one", 1, 60};
     Mean pairs[2] = {{0}}, wide[2] = {{0}}, attempts[2] = {{0}};
     for (uint64_t k = 0; k < 1500; k++)
@@ -613,6 +617,41 @@ static void test_many_radii(void) {
     }
 }
 
+/* Radii of one class: the second has hardly room where the least has much, and
+   gets voxels of its own. */
+static void test_alone(void) {
+  double side = 1.682, D = 0.599 + 0.585, room = 0, sum = 0;
+  double most = side * side / 2 - D * D;
+  int n = 3000;
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) {
+      double x = side / 2 - 0.03 * (i + 0.5) / n;
+      double y = side / 2 - 0.03 * (j + 0.5) / n;
+      double over = x * x + y * y - D * D;
+      room += over >= 0;
+      sum += over >= 0 ? over / most : 0;
+    }
+  Box box = cuboid(2, side, side, 0);
+  Species any = {"any", 0.5, 17};
+  Mean depth = {0};
+  for (uint64_t k = 0; k < 2000; k++) {
+    Rng rng = rng_stream(79, k, RNG_TEST);
+    Pack *pack = pack_alloc(&box, &any, 1, true);
+    for (size_t i = 0; i < pack->n; i++)
+      pack->radius[i] =
+          i < 2 ? 0.599 - 0.014 * (double)i : 0.5 + 0.003 * (double)i;
+    Outcome out = {0};
+    RsaReport report;
+    rsa_fill(pack, 0, true, &rng, &report, &out);
+    gsl_test(report.placed != 2, "alone: %zu placed", report.placed);
+    double x = box_nearest(pack->x[2] - pack->x[0], side);
+    double y = box_nearest(pack->x[3] - pack->x[1], side);
+    add(&depth, (x * x + y * y - D * D) / most);
+    pack_free(&pack);
+  }
+  test_value(&depth, sum / room, 4, "alone: distance");
+}
+
 /* The order of a random fill, seen from where it stops: the two species are
    placed in proportion, and large first places the large. */
 static void test_order(void) {
@@ -726,10 +765,10 @@ static void test_seeds(void) {
     Rng rng = rng_stream(k == 2 ? 4 : 3, 0, RNG_POSITIONS);
     pack[k] = rsa_saturate(&box, species, 2, NULL, 0, &rng, NULL);
   }
-  gsl_test(pack[0]->n != pack[1]->n ||
-               memcmp(pack[0]->x, pack[1]->x,
-                      3 * pack[0]->n * sizeof(double)) != 0,
-           "seeds and bytes, saturate");
+  gsl_test(
+      pack[0]->n != pack[1]->n ||
+          memcmp(pack[0]->x, pack[1]->x, 3 * pack[0]->n * sizeof(double)) != 0,
+      "seeds and bytes, saturate");
   gsl_test(pack[0]->x[0] == pack[2]->x[0], "another seed, another pack");
   for (int k = 0; k < 3; k++)
     pack_free(pack + k);
@@ -747,6 +786,7 @@ int main(void) {
   test_approach();
   test_ratio_100();
   test_many_radii();
+  test_alone();
   test_order();
   test_edges();
   test_seeds();

@@ -1,0 +1,27 @@
+# The error of the saturation fraction against particles placed; above, seconds.
+# data: build/data/speed/summary.tsv data/bench-seconds.tsv
+ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
+rows(d, n) = sprintf("< awk -F'\\t' '$1==%d && $2==%d' build/data/speed/saturation.tsv", d, n)
+each(w) = real(system(sprintf("awk -F'\\t' '$1==\"rsa\" && $3==\"%s-saturated\" && $4==1000 {print $6/$5}' data/bench-seconds.tsv", w)))
+spread(d) = real(system(sprintf("awk -F'\\t' '$1==\"rsa_%d_spread_1000\" {print $2}' build/data/speed/summary.tsv", d)))
+set logscale xyx2
+set format x "$10^{%T}$"; set format y "$10^{%T}$"; set format x2 "$10^{%T}$"
+set border 7; set xtics nomirror 100,10; set x2tics 1e-6,10,100; set mxtics 1; set mx2tics 1
+set xrange [50:3e5]; set yrange [1e-4:0.03]; set ytics 1e-4,10
+set multiplot layout 1,2 margins 0.125,0.985,0.17,0.84 spacing 0.035
+unset key
+do for [k = 1:2] {
+  s = each(word("discs spheres", k)); width = spread(k + 1)
+  set x2range [50*s:3e5*s]
+  set xlabel "particles in all"; set x2label "seconds" offset 0,-0.6
+  if (k == 1) { set ylabel "rms error of $\\phi(\\infty)$" offset 2.2,0 } else { unset ylabel; set format y "" }
+  unset label
+  set label word("discs spheres", k) at graph 0.75,0.9
+  if (k == 1) {
+    set label ink(1, "packs of 100") at 80,8e-4; set label ink(2, "packs of 1000") at 80,4e-4
+    set label ink(3, "packs of 10000") at 80,2e-4
+  }
+  plot width/sqrt(x) with lines lt 8, rows(k + 1, 100) using 3:5:6 with yerrorbars lt 1, \
+    rows(k + 1, 1000) using 3:5:6 with yerrorbars lt 2, rows(k + 1, 10000) using 3:5:6 with yerrorbars lt 3
+}
+unset multiplot

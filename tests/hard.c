@@ -1,0 +1,266 @@
+/* Hard cases that the command cannot provoke: `hard NAME` prints what was
+   measured and ends with 0 if it is what tests/hard promises. */
+#include "cells.h"
+#include "contact.h"
+#include "order.h"
+#include "outcome.h"
+#include "pairs.h"
+#include "py.h"
+#include "rsa.h"
+#include <gsl/gsl_math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static Pack *make(int dim, const double side[], size_t n, double radius,
+                  const double x[]) {
+  Box box = {dim, {side[0], side[1], dim == 3 ? side[2] : 0}};
+  Species species = {"A", radius, n};
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  if (x)
+    memcpy(pack->x, x, n * (size_t)dim * sizeof *x);
+  return pack;
+}
+
+static void scatter(Pack *pack, uint64_t seed) {
+  Rng rng = rng_stream(seed, 0, RNG_TEST);
+  size_t dim = (size_t)pack->box.dim;
+  for (size_t c = 0; c < pack->n * dim; c++)
+    pack->x[c] = pack->box.side[c % dim] * rng_uniform(&rng);
+}
+
+static const double cube[3] = {8, 8, 8};
+
+/* ------------------------------------------------------------ few particles */
+static bool no_particle(void) {
+  Pack *pack = make(3, cube, 0, 1, NULL);
+  Windows *windows = order_windows_alloc();
+  uint64_t count[4];
+  double g[4], sum = (double)pairs_count(pack, 0, 1, 4, count);
+  pairs_g(pack, count, 0, 1, 4, PAIRS_EXACT, g);
+  for (int b = 0; b < 4; b++)
+    sum += (double)count[b] + g[b];
+  order_windows(pack, 2, WINDOWS_AROUND, 0, NULL, windows);
+  BondRule rule = order_rule(3);
+  Neighbours *list = cells_neighbours(pack, 2);
+  sum += pack_fraction(pack) + order_bonds(pack, &rule).global +
+         order_contacts(pack, 0.1) + windows->mean + (double)list->first[0] +
+         contact_value(pack, 2, 2, 0).value;
+  bool endless = cells_least_gap(pack) == GSL_POSINF;
+  printf("sum %g, gap %g", sum, cells_least_gap(pack));
+  cells_neighbours_free(&list);
+  order_windows_free(&windows);
+  pack_free(&pack);
+  return sum == 0 && endless;
+}
+
+static bool two_particles(void) {
+  static const double x[] = {0.5, 7.75, 3.125, 7.5, 7.75, 4.375};
+  Pack *pack = make(3, cube, 2, 0.5, x); /* 1 and 1.25 apart across the side */
+  double r = hypot(1, 1.25), K[2];
+  uint64_t count[2], below = pairs_count(pack, r - 0.5, 0.5, 2, count);
+  pairs_K(pack, below, count, 2, K);
+  K[0] /= box_volume(&pack->box);
+  K[1] /= box_volume(&pack->box);
+  printf("K/V = %g, then %g", K[0], K[1]);
+  pack_free(&pack);
+  return K[0] == 0 && K[1] == 1;
+}
+
+/* ------------------------------------------------------------ boxes */
+/* All images nearer than reach, of every particle, by brute force. */
+static size_t images(const Pack *pack, double reach) {
+  size_t found = 0, dim = (size_t)pack->box.dim;
+  int most[3] = {0, 0, 0}, a[3];
+  for (size_t k = 0; k < dim; k++)
+    most[k] = (int)(reach / pack->box.side[k]) + 2;
+  for (size_t ij = 0; ij < pack->n * pack->n; ij++)
+    for (a[0] = -most[0]; a[0] <= most[0]; a[0]++)
+      for (a[1] = -most[1]; a[1] <= most[1]; a[1]++)
+        for (a[2] = -most[2]; a[2] <= most[2]; a[2]++) {
+          const double *x = pack->x + ij / pack->n * dim;
+          const double *y = pack->x + ij % pack->n * dim;
+          double square = 0;
+          for (size_t k = 0; k < dim; k++) {
+            double d = (y[k] - x[k]) + a[k] * pack->box.side[k];
+            square += d * d;
+          }
+          bool self = ij / pack->n == ij % pack->n && !a[0] && !a[1] && !a[2];
+          found += square <= reach * reach && !self;
+        }
+  return found;
+}
+
+static bool counted_as_images(int dim, const double side[], size_t n,
+                              double reach) {
+  Pack *pack = make(dim, side, n, 0.1, NULL);
+  scatter(pack, 61);
+  Neighbours *list = cells_neighbours(pack, reach);
+  size_t found = list->first[n], truth = images(pack, reach);
+  printf("%zu of %zu images", found, truth);
+  cells_neighbours_free(&list);
+  pack_free(&pack);
+  return found == truth;
+}
+
+static bool narrow_box(void) {
+  static const double side[] = {0.31, 0.29, 0.37};
+  return counted_as_images(3, side, 5, 1.13);
+}
+
+static bool flat_box(void) {
+  static const double side[] = {0.02, 9.7};
+  return counted_as_images(2, side, 23, 0.83);
+}
+
+/* The least gap, linear and quadratic, of a pack by random addition. */
+static bool audited(Pack *pack, uint64_t seed) {
+  Rng rng = rng_stream(seed, 0, RNG_POSITIONS);
+  Outcome out = {0};
+  rsa_fill(pack, 0, true, &rng, NULL, &out);
+  double gap = cells_least_gap(pack), truth = pack_audit(pack);
+  printf("gap %.6f, by brute force %.6f", gap, truth);
+  return out.status == DONE && gap == truth && gap >= 0;
+}
+
+static bool long_box(void) {
+  static const double side[] = {4.4, 4.4, 88};
+  Pack *pack = make(3, side, 120, 1, NULL);
+  bool good = audited(pack, 120);
+  pack_free(&pack);
+  return good;
+}
+
+static bool size_ratio(void) {
+  Box box = {2, {9.1, 9.1, 0}};
+  Species species[] = {{"disc", 1, 6}, {"dot", 0.01, 6000}};
+  Pack *pack = pack_alloc(&box, species, 2, false);
+  bool good = audited(pack, 100);
+  pack_free(&pack);
+  return good;
+}
+
+/* ------------------------------------------------------------ places */
+static bool one_point(void) {
+  static const double x[] = {3.7, 1.9, 7.1, 3.7, 1.9, 7.1};
+  Pack *pack = make(3, cube, 2, 1, x);
+  BondRule rule = order_rule(3);
+  uint64_t count[3], below = pairs_count(pack, 2, 0.5, 3, count);
+  double gap = cells_least_gap(pack), bonds = order_bonds(pack, &rule).bonds;
+  Neighbours *list = cells_neighbours(pack, 1);
+  printf("gap %g, %d pair below contact, %zu neighbours, %g bonds", gap,
+         (int)below, list->first[2], bonds);
+  bool good = gap == -2 && pack_audit(pack) == -2 && below == 1 &&
+              count[0] + count[1] + count[2] == 0 && list->first[2] == 2 &&
+              bonds == 0;
+  cells_neighbours_free(&list);
+  pack_free(&pack);
+  return good;
+}
+
+static bool at_the_side(void) {
+  double last = nextafter(8, 0);
+  double x[] = {0, 0, 0, last, last, last, 0, last, 4, last, 0, 4};
+  Pack *pack = make(3, cube, 4, 0.1, x);
+  int bad = 0;
+  for (double reach = 0.01; reach < 4; reach *= 1.1) {
+    Neighbours *list = cells_neighbours(pack, reach);
+    bad += list->first[4] != images(pack, reach);
+    cells_neighbours_free(&list);
+  }
+  uint64_t count, below = pairs_count(pack, 0, 1e-3, 1, &count);
+  double wrapped = box_wrap(8, 8), tiny = box_wrap(-1e-300, 8);
+  printf("%d of 63 reaches differ, %d pairs next to each other", bad,
+         (int)(below + count));
+  pack_free(&pack);
+  return bad == 0 && below + count == 2 && wrapped == 0 && tiny == 0;
+}
+
+static bool tangent(void) {
+  double sigma = 2 * (1 - 1e-16), x[] = {1, 1, 1, 1 + sigma, 1, 1};
+  Pack *pack = make(3, cube, 2, 1, x);
+  uint64_t count[2], below = pairs_count(pack, 2, 0.01, 2, count);
+  double contacts = order_contacts(pack, 1e-6);
+  printf("first bin %d, below %d, contacts %g", (int)count[0], (int)below,
+         contacts);
+  pack_free(&pack);
+  return sigma < 2 && count[0] == 1 && below == 0 && contacts == 1;
+}
+
+/* ------------------------------------------------------------ saturation */
+static bool room_for_one(void) {
+  Box box = {2, {2.5, 2.5, 0}};
+  Species species = {"disc", 1, 0};
+  int ones = 0;
+  for (uint64_t seed = 0; seed < 100; seed++) {
+    Rng rng = rng_stream(seed, 0, RNG_POSITIONS);
+    RsaReport report = {0};
+    Pack *pack = rsa_saturate(&box, &species, 1, NULL, 0, &rng, &report);
+    ones += pack->n == 1 && report.saturated;
+    pack_free(&pack);
+  }
+  printf("one disc in %d of 100", ones);
+  return ones == 100;
+}
+
+/* ------------------------------------------------------------ theory */
+static bool py_at(double phi) {
+  double worst = 0, least = 1;
+  Py *py = py_alloc(phi);
+  for (double R = 2; R <= 30; R += 0.0078125) {
+    double g = py_g(py, R);
+    least = GSL_MIN(least, g);
+    if (!gsl_finite(g))
+      worst = GSL_NAN;
+  }
+  double contact = fabs(py_g(py, 2) / py_contact(phi) - 1);
+  double far = fabs(py_g(py, 1e6) - 1);
+  printf("least g %.3g, g(2+) %.8g", GSL_MIN(least, 1), py_g(py, 2));
+  bool good = worst == 0 && contact < 1e-13 && py_g(py, nextafter(2, 0)) == 0;
+  good = good && (phi > 0.7 || far < 1e-13);
+  good = good && (least < 0) == (phi > py_limit());
+  py_free(&py);
+  return good;
+}
+
+static bool py_dilute(void) {
+  return py_at(1e-12);
+}
+static bool py_before(void) {
+  return py_at(0.6125);
+}
+static bool py_dense(void) {
+  return py_at(0.74);
+}
+
+static bool py_far(void) {
+  Py *py = py_alloc(0.49);
+  double off = fabs(py_g(py, 1e6) - 1), below = py_g(py, nextafter(2, 0));
+  printf("|g(1e6) - 1| %s 1e-15, g(2-) = %g, g(2+) = %.9g",
+         off < 1e-15 ? "<" : ">", below, py_g(py, 2));
+  bool good = off < 1e-15 && below == 0 &&
+              fabs(py_g(py, 2) / (1.245 / (0.51 * 0.51)) - 1) < 1e-14;
+  py_free(&py);
+  return good;
+}
+
+static const struct {
+  const char *name;
+  bool (*run)(void);
+} cases[] = {
+    {"no-particle", no_particle}, {"two-particles", two_particles},
+    {"narrow-box", narrow_box},   {"flat-box", flat_box},
+    {"long-box", long_box},       {"size-ratio", size_ratio},
+    {"one-point", one_point},     {"at-the-side", at_the_side},
+    {"tangent", tangent},         {"room-for-one", room_for_one},
+    {"py-dilute", py_dilute},     {"py-before", py_before},
+    {"py-dense", py_dense},       {"py-far", py_far},
+};
+
+int main(int count, char *words[]) {
+  for (size_t c = 0; count == 2 && c < sizeof cases / sizeof *cases; c++)
+    if (strcmp(words[1], cases[c].name) == 0)
+      return !cases[c].run();
+  fprintf(stderr, "hard: no such case\n");
+  return 2;
+}

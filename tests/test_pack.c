@@ -1,0 +1,106 @@
+/* tests/test_pack.c: what a pack stores, its volumes, and the audit of its gaps */
+#include "outcome.h"
+#include "pack.h"
+#include "rng.h"
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_test.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const Box cuboid = {3, {7.25, 9.5, 11.75}}, sheet = {2, {7.25, 9.5, 0}};
+static const Species three[] = {{"AP", 1.3, 17}, {"Al", 0.41, 0}, {"HMX", 0.73, 29}};
+
+static void test_storage(void) {
+  Pack *one = pack_alloc(&cuboid, three, 1, false), *all = pack_alloc(&sheet, three, 3, false);
+  Pack *own = pack_alloc(&cuboid, three, 3, true);
+  gsl_test(one->kind || one->radius, "one species: no index, no radii");
+  gsl_test(!all->kind || all->radius, "three: an index, no radii");
+  gsl_test(!own->kind || !own->radius, "own radii: both");
+  gsl_test_int((int)one->n, 17, "as many particles as the species say");
+  gsl_test_int((int)all->n, 46, "the sum of three");
+  int wrong = 0;
+  for (size_t i = 0; i < 46; i++) {
+    int s = i < 17 ? 0 : 2;
+    wrong += pack_kind(all, i) != s || pack_radius(all, i) != three[s].radius;
+    wrong += pack_kind(own, i) != s || own->radius[i] != three[s].radius;
+  }
+  gsl_test_int(wrong, 0, "species stand together, in order");
+  own->radius[20] = 0.977;
+  gsl_test(pack_radius(own, 20) != 0.977, "a radius of its own comes first");
+  gsl_test(pack_kind(one, 5) != 0 || pack_radius(one, 5) != 1.3, "of one species, too");
+  pack_free(&one);
+  pack_free(&one);
+  gsl_test(one != NULL, "freed is NULL, and may be freed again");
+  pack_free(&all);
+  pack_free(&own);
+}
+
+static void test_bytes(void) {
+  static const int known[2][2][2] = {{{16, 24}, {18, 26}}, {{24, 32}, {26, 34}}};
+  for (int dim = 2; dim <= 3; dim++)
+    for (int kinds = 1; kinds <= 2; kinds++)
+      for (int own = 0; own <= 1; own++)
+        gsl_test_int((int)pack_bytes(dim, kinds, own), known[dim - 2][kinds - 1][own],
+                     "bytes a particle: %d-D, %d species, own radii %d", dim, kinds, own);
+}
+
+static void test_volumes(void) {
+  gsl_test_rel(pack_ball(2, 2.385), 17.8700858719658, 1e-14, "area of a disc");
+  gsl_test_rel(pack_ball(3, 2.385), 56.82687307285123, 1e-14, "volume of a sphere");
+  Pack *pack = pack_alloc(&cuboid, three, 3, false), *own = pack_alloc(&cuboid, three, 3, true);
+  double solid = 4 * M_PI / 3 * (17 * gsl_pow_3(1.3) + 29 * gsl_pow_3(0.73));
+  gsl_test_rel(pack_solid(pack), solid, 1e-14, "volume of all, by species");
+  gsl_test_rel(pack_solid(own), solid, 1e-14, "volume of all, one by one");
+  gsl_test_rel(pack_fraction(pack), solid / (7.25 * 9.5 * 11.75), 1e-14, "packing fraction");
+  gsl_test(pack_smallest(pack) != 0.73 || pack_largest(pack) != 1.3, "a species of none has no size");
+  own->radius[3] = 0.05;
+  own->radius[45] = 2.75;
+  gsl_test(pack_smallest(own) != 0.05 || pack_largest(own) != 2.75, "own radii count");
+  pack_free(&pack);
+  pack_free(&own);
+}
+
+static Pack *pair(const Box *box, double radius, const double x[], size_t n) {
+  Species species = {"A", radius, n};
+  Pack *pack = pack_alloc(box, &species, 1, false);
+  if (n)
+    memcpy(pack->x, x, n * (size_t)box->dim * sizeof *x);
+  return pack;
+}
+
+static void audit(const Box *box, double radius, const double x[], size_t n, double gap, const char *what) {
+  Pack *pack = pair(box, radius, x, n);
+  gsl_test_abs(pack_audit(pack), gap, 1e-14, "least gap: %s", what);
+  pack_free(&pack);
+}
+
+static void test_audit(void) {
+  static const double x[] = {0.25, 0.5, 11.5, 7, 9.25, 0.5};
+  audit(&cuboid, 0.3, x, 2, sqrt(0.25 + 0.5625 + 0.5625) - 0.6, "a pair across three sides");
+  static const double flat[] = {1.5, 2.25, 4.5, 6.25};
+  audit(&sheet, 1.25, flat, 2, 5 - 2.5, "a pair of discs");
+  audit(&cuboid, 4.1, x, 1, 7.25 - 8.2, "one sphere and its image");
+  static const double same[] = {3.3, 4.4, 3.3, 4.4};
+  audit(&sheet, 0.7, same, 2, -1.4, "two at one place");
+  Pack *none = pair(&sheet, 1, x, 0);
+  gsl_test(pack_audit(none) != GSL_POSINF, "least gap: infinite of none");
+  gsl_test(pack_smallest(none) != 0 || pack_largest(none) != 0 || pack_fraction(none) != 0, "and no sizes");
+  pack_free(&none);
+  Pack *sizes = pack_alloc(&cuboid, three, 3, true);
+  Rng rng = rng_stream(3, 0, RNG_TEST);
+  for (size_t c = 0; c < 3 * sizes->n; c++)
+    sizes->x[c] = cuboid.side[c % 3] * rng_uniform(&rng);
+  double before = pack_audit(sizes);
+  for (size_t i = 0; i < sizes->n; i++)
+    sizes->radius[i] += 0.25;
+  gsl_test_abs(pack_audit(sizes), before - 0.5, 1e-13, "larger radii, smaller gap");
+  pack_free(&sizes);
+}
+
+int main(void) {
+  test_storage();
+  test_bytes();
+  test_volumes();
+  test_audit();
+  return gsl_test_summary();
+}

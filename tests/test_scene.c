@@ -1,0 +1,169 @@
+/* tests/test_scene.c: defaults, settings, shares that become numbers, whole numbers of any length */
+#include "lattice.h"
+#include "scene.h"
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_test.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char path[] = "/tmp/test_scene.XXXXXX";
+static const char plain[] = "dimension = 3;\nspecies = ( { radius = 1.5; number = 700; } );\nfraction = 0.31;\n"
+                            "make = { method = \"rsa\"; };\nmeasure = { rdf = {}; contact = {}; };\n";
+
+static Scene *read_text(const char *text, const char *const set[], int sets, Outcome *out) {
+  FILE *file = fopen(path, "w");
+  fputs(text, file);
+  fclose(file);
+  *out = (Outcome){0};
+  return scene_read(path, set, sets, out);
+}
+
+/* The scene of this text, which must be right. */
+static Scene *scene(const char *text) {
+  Outcome out;
+  Scene *s = read_text(text, NULL, 0, &out);
+  gsl_test(!s, "is read: %.60s (%s)", text, out.text);
+  if (!s)
+    exit(1);
+  return s;
+}
+
+static void test_defaults(void) {
+  Scene *s = scene(plain);
+  gsl_test(s->dimension != 3 || s->seed != 1 || s->realizations != 1 || s->gap != 0 || s->save, "the defaults of a scene");
+  gsl_test(s->measure.rdf.step != 0.02 || s->measure.rdf.reach != 6 || s->measure.rdf.estimator != 0, "of g(r)");
+  gsl_test(s->measure.contact.step != 0.01 || s->make.order != 0, "of contact and make");
+  gsl_test_int(s->measure.rdf.line, 5, "a group knows its line");
+  gsl_test(s->measure.K.line || s->measure.order.line || s->theory.line, "what is absent has line 0");
+  gsl_test_str(s->species[0].name, "1", "a species without a name has its number");
+  Box box = scene_box(s);
+  gsl_test_rel(700 * 4 * M_PI / 3 * 1.5 * 1.5 * 1.5 / box_volume(&box), 0.31, 1e-14, "the box follows from the fraction");
+  gsl_test(box.side[0] != box.side[2], "and is a cube");
+  scene_free(&s);
+  scene_free(&s);
+  gsl_test(s != NULL, "freed is NULL, and may be freed again");
+}
+
+static void test_boxes(void) {
+  Scene *s = scene("dimension = 2; box = [3.0, 0.75]; side = 40.0; fraction = \"max\";\n"
+                   "species = ( { radius = 1.0; } ); make = { method = \"rsa\"; };");
+  Box box = scene_box(s);
+  gsl_test_rel(box.side[0], 40, 1e-14, "the side of a saturated box");
+  gsl_test_rel(box.side[1], 10, 1e-14, "and its second");
+  gsl_test_rel(s->share[0], 1, 1e-15, "one species has all attempts");
+  scene_free(&s);
+  s = scene("dimension = 3; fraction = 0.2; species = ( { radius = 0.5; } );\n"
+            "make = { method = \"lattice\"; lattice = \"bcc\"; n_l = 2; };");
+  box = scene_box(s);
+  gsl_test_int((int)s->species[0].count, 250, "a lattice knows its number");
+  gsl_test_rel(250 * M_PI / 6 / box_volume(&box), 0.2, 1e-14, "and is opened to its fraction");
+  gsl_test_int(s->make.lattice, LATTICE_BCC, "its words are those of the lattices");
+  scene_free(&s);
+}
+
+/* The counts of a scene whose species are these, and what they must be. */
+static void counts(const char *species, int number, int dim, const double want[], int kinds, const char *what) {
+  char text[1024];
+  snprintf(text, sizeof text,
+           "dimension = %d; number = %d; fraction = 0.1; species = ( %s ); make = { method = \"rsa\"; };", dim, number,
+           species);
+  Scene *s = scene(text);
+  double sum = 0, total = 0;
+  for (int k = 0; k < kinds; k++)
+    sum += want[k];
+  for (int k = 0; k < kinds; k++) {
+    total += (double)s->species[k].count;
+    gsl_test(!(fabs((double)s->species[k].count - number * want[k] / sum) < 1), "%s: species %d has %d of %.3f", what, k,
+             (int)s->species[k].count, number * want[k] / sum);
+  }
+  gsl_test_int((int)total, number, "%s: their sum", what);
+  scene_free(&s);
+}
+
+static void test_shares(void) {
+  static const double number[] = {0.2, 0.3, 1.7};
+  counts("{ radius = 2.0; share = 0.2; }, { radius = 1.0; share = 0.3; }, { radius = 0.5; share = 1.7; }", 1237, 3, number,
+         3, "shares of the number");
+  const double spheres[] = {0.6 / gsl_pow_3(2.1), 0.4 / gsl_pow_3(0.7)}, discs[] = {0.6 / 4.41, 0.4 / 0.49};
+  static const char volume[] = "{ radius = 2.1; volume = 0.6; }, { radius = 0.7; volume = 0.4; }";
+  counts(volume, 1999, 3, spheres, 2, "shares of the volume of spheres");
+  counts(volume, 1999, 2, discs, 2, "shares of the area of discs");
+  const double mass[] = {0.8 / 1.95 / gsl_pow_3(1.2), 0.2 / 2.7 / gsl_pow_3(0.35)};
+  counts("{ radius = 1.2; mass = 0.8; density = 1.95; }, { radius = 0.35; mass = 0.2; density = 2.7; }", 4001, 3, mass, 2,
+         "shares of the mass");
+  static const double third[] = {1, 1, 1};
+  counts("{ radius = 1.0; share = 1; }, { radius = 2.0; share = 1; }, { radius = 3.0; share = 1; }", 100, 3, third, 3,
+         "thirds of a hundred");
+}
+
+static void test_settings(void) {
+  static const char *const set[] = {"measure.rdf.step=0.05", "seed=9007199254740991", "species.[0].number=1300",
+                                    "make.order=large first", "measure.K={reach=2.5;}", "save=true",
+                                    "measure.rdf.step=0.125"};
+  Outcome out;
+  Scene *s = read_text(plain, set, 7, &out);
+  gsl_test(!s, "settings are read (%s)", out.text);
+  if (!s)
+    return;
+  gsl_test(s->measure.rdf.step != 0.125, "the last of two settings holds");
+  gsl_test(s->seed != 9007199254740991, "a long seed");
+  gsl_test_int((int)s->species[0].count, 1300, "an element of a list");
+  gsl_test_int(s->make.order, 1, "a word without quotes");
+  gsl_test(s->measure.K.line != -1 || s->measure.K.reach != 2.5 || s->measure.K.step != 0.02, "a new group, with defaults");
+  gsl_test(!s->save || s->measure.rdf.reach != 6, "the others stay");
+  scene_free(&s);
+}
+
+/* libconfig by itself keeps the low 32 bits of such numbers. */
+static void test_long_numbers(void) {
+  static const struct {
+    const char *text;
+    int64_t seed;
+  } seeds[] = {{"2147483647", 2147483647},   {"2147483648", 2147483648},   {"4294967297", 4294967297},
+               {"4294967297L", 4294967297},  {"9007199254740992", 9007199254740992},
+               {"0x1fffffffffff", 0x1fffffffffff}, {"0x7B", 123}};
+  char text[1024];
+  Outcome out;
+  for (size_t k = 0; k < sizeof seeds / sizeof *seeds; k++) {
+    snprintf(text, sizeof text, "%sseed = %s;\n", plain, seeds[k].text);
+    Scene *s = read_text(text, NULL, 0, &out);
+    gsl_test(!s || s->seed != seeds[k].seed, "seed = %s is read to its last digit (%s)", seeds[k].text, out.text);
+    scene_free(&s);
+  }
+  snprintf(text, sizeof text, "%s/* 12345678901234 */ # 12345678901234\n// \"12345678901234\n"
+           "gap = 0.12345678901234e-1;\n", plain);
+  Scene *s = scene(text);
+  gsl_test(s->gap != 0.12345678901234e-1, "reals and comments are left alone");
+  scene_free(&s);
+  s = scene("dimension = 3; species = ( { name = \"12345678901234\"; radius = 1.0; number = 7; } );\n"
+            "fraction = 0.1; make = { method = \"points\"; };");
+  gsl_test_str(s->species[0].name, "12345678901234", "strings are left alone");
+  scene_free(&s);
+  snprintf(text, sizeof text, "%sseed = 99999999999999999999999;\n", plain);
+  gsl_test(read_text(text, NULL, 0, &out) || out.status != WRONG, "a number beyond 64 bits is refused");
+  snprintf(text, sizeof text, "%sseed = 9007199254740994;\n", plain);
+  gsl_test(read_text(text, NULL, 0, &out) || out.status != WRONG, "a seed beyond 2^53 is refused");
+}
+
+static void test_fits(void) {
+  Scene *s = scene(plain);
+  Box box = {3, {24, 24.5, 23}};
+  Outcome out = {0};
+  gsl_test_int(scene_fits(s, &box, 1.5, &out), DONE, "a reach of 6 a fits into a box of 23 with a = 1.5");
+  gsl_test_int(scene_fits(s, &box, 2, &out), WRONG, "but not with a = 2");
+  gsl_test(!strstr(out.text, "the largest reach here is 5.75"), "which is said: %s", out.text);
+  scene_free(&s);
+}
+
+int main(void) {
+  close(mkstemp(path));
+  test_defaults();
+  test_boxes();
+  test_shares();
+  test_settings();
+  test_long_numbers();
+  test_fits();
+  remove(path);
+  return gsl_test_summary();
+}

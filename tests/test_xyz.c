@@ -1,0 +1,155 @@
+/* tests/test_xyz.c: what is written is read back bit for bit; errors say where */
+#include "outcome.h"
+#include "rng.h"
+#include "xyz.h"
+#include <float.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_test.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char path[] = "/tmp/test_xyz.XXXXXX";
+
+static void write_to(const char *name, const Pack *pack, const char *note) {
+  FILE *file = fopen(name, "w");
+  xyz_write(file, pack, note);
+  fclose(file);
+}
+
+/* Random positions, among them every kind of double that [0, L) holds. */
+static Pack *make(int dim, const Species species[], int kinds, bool own) {
+  Box box = {dim, {M_PI, 10 * M_SQRT2, dim == 3 ? 1e-3 * M_E : 0}};
+  Pack *pack = pack_alloc(&box, species, kinds, own);
+  Rng rng = rng_stream(8, (uint64_t)dim, RNG_TEST);
+  for (size_t c = 0; c < pack->n * (size_t)dim; c++) {
+    double side = box.side[c % (size_t)dim];
+    double odd[] = {0, DBL_TRUE_MIN, DBL_MIN, 1e-17, nextafter(side, 0), 0.1 * side, side / 3};
+    pack->x[c] = c < 60 ? odd[rng_below(&rng, 7)] : side * rng_uniform(&rng);
+  }
+  for (size_t i = 0; own && i < pack->n; i++)
+    pack->radius[i] = rng_uniform(&rng) * pow(10, 20 * rng_uniform(&rng) - 10) + DBL_MIN;
+  return pack;
+}
+
+static bool same_species(const Pack *a, const Pack *b) {
+  bool same = a->kinds == b->kinds;
+  for (int s = 0; same && s < a->kinds; s++)
+    same = strcmp(a->species[s].name, b->species[s].name) == 0 && a->species[s].count == b->species[s].count &&
+           (a->radius || a->species[s].radius == b->species[s].radius);
+  return same;
+}
+
+static bool same_array(const void *a, const void *b, size_t bytes) {
+  return !a ? !b : b && memcmp(a, b, bytes) == 0;
+}
+
+static bool same_files(const char *a, const char *b) {
+  FILE *first = fopen(a, "r"), *second = fopen(b, "r");
+  int c;
+  do
+    c = fgetc(first);
+  while (c == fgetc(second) && c != EOF);
+  bool same = c == EOF && feof(second);
+  fclose(first);
+  fclose(second);
+  return same;
+}
+
+static void round_trip(int dim, const Species species[], int kinds, bool own, const char *what) {
+  Pack *pack = make(dim, species, kinds, own);
+  Outcome out = {0};
+  char again[sizeof path + 6];
+  snprintf(again, sizeof again, "%s.again", path);
+  write_to(path, pack, "seed=17 realization=3");
+  Pack *back = xyz_read(path, &out);
+  gsl_test(!back, "%d-D, %s: is read back (%s)", dim, what, out.text);
+  if (!back)
+    return;
+  write_to(again, back, "seed=17 realization=3");
+  size_t n = pack->n;
+  gsl_test(back->n != n || back->box.dim != dim || memcmp(back->box.side, pack->box.side, sizeof pack->box.side) != 0, "%d-D, %s: number and box", dim, what);
+  gsl_test(!same_array(pack->x, back->x, n * (size_t)dim * sizeof(double)), "%d-D, %s: positions bit for bit", dim, what);
+  gsl_test(!same_array(pack->radius, back->radius, n * sizeof(double)), "%d-D, %s: radii", dim, what);
+  gsl_test(!same_array(pack->kind, back->kind, n * sizeof(uint16_t)), "%d-D, %s: indices", dim, what);
+  gsl_test(!same_species(pack, back), "%d-D, %s: species", dim, what);
+  gsl_test(!same_files(path, again), "%d-D, %s: written again, the same file", dim, what);
+  remove(again);
+  pack_free(&pack);
+  pack_free(&back);
+}
+
+static void test_round_trips(void) {
+  static const Species one[] = {{"sphere", 0.1, 211}};
+  static const Species many[] = {{"AP", 1.0 / 3, 70}, {"an-odd_name.with:31~characters!", 1e-30, 90}, {"7", 2e17, 40}};
+  for (int dim = 2; dim <= 3; dim++) {
+    round_trip(dim, one, 1, false, "one species");
+    round_trip(dim, many, 3, false, "three species");
+    round_trip(dim, one, 1, true, "own radii");
+    round_trip(dim, many, 3, true, "three species with own radii");
+  }
+}
+
+/* The text as a file, read. */
+static Pack *read_text(const char *text, Outcome *out) {
+  FILE *file = fopen(path, "w");
+  fputs(text, file);
+  fclose(file);
+  *out = (Outcome){0};
+  return xyz_read(path, out);
+}
+
+#define HEAD "Lattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1"
+
+static void test_reading(void) {
+  Outcome out;
+  Pack *pack = read_text("0\n" HEAD "\n", &out);
+  gsl_test(!pack || pack->n != 0 || pack->kinds != 1 || pack->kind || pack->radius, "an empty pack has one species");
+  pack_free(&pack);
+  pack = read_text("3\n" HEAD "\nB 1 2 3 1\nA 1 2 4 1\nB 1 2 5 1\n", &out);
+  gsl_test(!pack || pack->kinds != 2 || strcmp(pack->species[0].name, "B") != 0 || pack->species[0].count != 2 ||
+               pack->kind[1] != 1 || pack->radius,
+           "species are numbered as they first appear");
+  pack_free(&pack);
+  pack = read_text("3\n" HEAD "\nA 1 2 3 1\nA 1 2 4 1\nA 1 2 5 1.5\n", &out);
+  gsl_test(!pack || !pack->radius || pack->radius[2] != 1.5 || pack->kind, "unequal radii are kept one by one");
+  pack_free(&pack);
+  pack = read_text("1\n" HEAD "\nA 8 -1e-300 -7 1\n", &out);
+  gsl_test(!pack || pack->x[0] != 0 || pack->x[1] != 0 || pack->x[2] != 1, "positions are wrapped into [0, L)");
+  pack_free(&pack);
+}
+
+static void test_errors(void) {
+  static const struct {
+    const char *text, *where, *what;
+  } wrong[] = {
+      {"", ":1:", "ends here"},
+      {"x\n", ":1:", "no number"},
+      {"1\n" HEAD "\n", ":3:", "ends here"},
+      {"1\n" HEAD "\nA 1 2 x 1\n", ":3:", "not a number"},
+      {"1\n" HEAD "\nA 1 2 inf 1\n", ":3:", "not finite"},
+      {"1\n" HEAD "\nA 1 2 3 0\n", ":3:", "not above 0"},
+      {"1\n" HEAD "\nA 1 2 3 1\nA 1 2 3 1\n", ":4:", "more lines"},
+      {"1\n" HEAD " pbc=\"F F F\"\nA 1 2 3 1\n", ":2:", "not periodic"},
+  };
+  Outcome out;
+  for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
+    Pack *pack = read_text(wrong[w].text, &out);
+    gsl_test(pack || out.status != WRONG || !strstr(out.text, path) || !strstr(out.text, wrong[w].where) ||
+                 !strstr(out.text, wrong[w].what) || !strchr(out.text, ';'),
+             "refused: %s (%s)", wrong[w].what, out.text);
+    pack_free(&pack);
+  }
+  out = (Outcome){0};
+  gsl_test(xyz_read("/nonexistent/pack.xyz", &out) || out.status != WRONG, "a file that is not there");
+}
+
+int main(void) {
+  int file = mkstemp(path);
+  close(file);
+  test_round_trips();
+  test_reading();
+  test_errors();
+  remove(path);
+  return gsl_test_summary();
+}
