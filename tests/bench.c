@@ -336,9 +336,9 @@ static Contact estimate(const Profile *profile, const Estimator *how,
                        (int)how->parameter);
   double scale = profile->share[0] /
                  (profile->mean[0] * pairs_shell(3, 2, 2 + profile->step));
-  return (Contact){seen / (scale * volume),
-                   sqrt(all / pairs) / (scale * volume),
-                   (double)bins * profile->step / 2};
+  return (Contact){.value = seen / (scale * volume),
+                   .error = sqrt(all / pairs) / (scale * volume),
+                   .window = (double)bins * profile->step / 2};
 }
 
 /* Shares of about so many pairs, each drawn by itself: of SPARSE times as many
@@ -631,9 +631,30 @@ static void neighbours_seconds(Bench *bench) {
 /* ------------------------------------------------------------ pairs */
 static const double FAR = 5; /* at unit density: 524 neighbours */
 
+/* Bins in which any width that this processor has and the plain lists differ. */
+static double widths_differ(void) {
+  static const char *const width[] = {"default", "avx2", "avx512f"};
+  uint64_t ours[PAIR_BINS], plain[PAIR_BINS];
+  Pack *pack = points(3, 10000);
+  double differ = 0, step = FAR / PAIR_BINS;
+  ref_pairs_lists(pack, 0, step, PAIR_BINS, plain);
+  for (size_t w = 0; w < COUNT(width); w++) {
+    setenv("RANDPACK_SIMD", width[w], 1);
+    if (*simd_complaint())
+      continue;
+    pairs_count(pack, 0, step, PAIR_BINS, ours);
+    for (size_t b = 0; b < PAIR_BINS; b++)
+      differ += ours[b] != plain[b];
+  }
+  unsetenv("RANDPACK_SIMD");
+  pack_free(&pack);
+  return differ;
+}
+
 static void pairs_operations(Bench *bench) {
   Pack *pack = points(3, 100000);
   double pairs = pairs_within(pack, FAR);
+  say(bench, widths_differ(), 0, "pairs_differences");
   say(bench, cells_distances(pack, FAR) / pairs, 0, "pairs_candidates_ours");
   say(bench, textbook_distances(pack, FAR) / pairs, 0,
       "pairs_candidates_textbook");

@@ -8,14 +8,14 @@ paper() { # paper DIR [MAKE'S WORDS]: a copy of the tree there, and its book
   shift
   mkdir -p "$dir"
   tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$dir"
-  make -C "$dir" "$@" paper > "$dir.log" 2>&1 || { tail -20 "$dir.log"; return 1; }
+  env "${around[@]}" make -C "$dir" "$@" paper > "$dir.log" 2>&1 || { tail -20 "$dir.log"; return 1; }
 }
+around=()
 tell 'the book is built' paper "$tmp/a"
-export TZ=Asia/Tokyo LANG=de_DE.UTF-8 LC_ALL=de_DE.UTF-8 LC_NUMERIC=de_DE.UTF-8 RANDPACK_SIMD=default
+around=(TZ=Asia/Tokyo LANG=de_DE.UTF-8 LC_ALL=de_DE.UTF-8 LC_NUMERIC=de_DE.UTF-8 RANDPACK_SIMD=default)
 tell 'and built elsewhere, in Tokyo, in German, without wide vectors, by one job' paper "$tmp/another/place/b" -j1
 same() { cmp "$tmp/a/build/paper.pdf" "$tmp/another/place/b/build/paper.pdf"; }
 tell 'byte for byte the same' same
-unset TZ LANG LC_ALL LC_NUMERIC RANDPACK_SIMD
 tables() { diff -rq "$tmp/a/build/data" "$tmp/another/place/b/build/data"; }
 tell 'and so are its tables' tables
 edit() {
