@@ -1089,7 +1089,11 @@ static void recorded(Bench *bench, const char *file) {
       say_row(bench, "widest", r, plain);
   }
   say_crossings(bench, row, n);
-  say(bench, (double)stale_tasks(row, n), 0, "stale");
+  if (stale_tasks(row, n))
+    outcome_set(&bench->out, UNREACHED,
+                "%s: recorded with other code; make paper FRESH=1 records it "
+                "anew",
+                file);
   end(bench, &bench->summary);
   free(row);
 }
