@@ -48,7 +48,8 @@ help: ## this list
 # ---------------------------------------------------------------- packages
 INSTALL = apt-get install -y --no-install-recommends $(PACKAGES)
 deps: ## install the packages (Debian 12, as root or with sudo)
-	@if dpkg-query -W -f='$${Status}\n' $(PACKAGES) 2>&1 | grep -qv '^install ok installed$$'; then \
+	@state=$$(dpkg-query -W -f='$${Status}\n' $(PACKAGES) 2>&1 || true); \
+	if grep -qv '^install ok installed$$' <<<"$$state"; then \
 	  if ! command -v apt-get >/dev/null || [ ! -e /etc/debian_version ]; then \
 	    printf 'not Debian; install what corresponds to:\n  %s\n' '$(INSTALL)'; exit 1; fi; \
 	  if [ "$$(id -u)" = 0 ]; then as=; elif sudo -n true 2>/dev/null; then as=sudo; else \
@@ -160,7 +161,7 @@ $(B)/figures/%.tex: figures/%.gp figures/style.gp
 	@gnuplot -e "name='$*'; out='$@'" figures/style.gp $<
 
 $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
-	@awk -f figures/map.awk $(WEB) $(wildcard $(B)/plain/*.[ch]) | cpif $@
+	@awk -f figures/map.awk $(WEB) $(B)/plain/*.[ch] | cpif $@
 
 # ---------------------------------------------------------------- the book
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
