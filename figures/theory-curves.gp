@@ -8,7 +8,7 @@ set lmargin screen 0.09; set rmargin screen 0.98
 set xrange [2:6.2]; set ylabel "$g(R)$" offset 0.5
 set tmargin screen 0.985; set bmargin screen 0.58
 set yrange [0:3.4]
-set key inside at graph 0.99,0.99 top right vertical maxrows 3
+set key at graph 0.99,0.99 right vertical maxrows 3
 plot f using "R":"py_0.6" with lines lt 4 title "$\\phi=.6$", f using "R":"py_0.575" with lines lt 1 title "$.575$", \
   f using "R":"py_0.49" with lines lt 3 title "$.49$", f using "R":"py_0.3" with lines lt 5 title "$.3$", f using "R":"py_0.1" with lines lt 6 title "$.1$", \
   f using "R":"well-stirred_0.575" with lines lt 8 title "well-stirred"

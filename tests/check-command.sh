@@ -181,7 +181,7 @@ tell 'a disk that fills in the middle of a file leaves nothing' too_large
 # --- progress
 silent() { ends 0 "$randpack" run "$tmp/deep.scene" --out "$tmp/p" && [ ! -s "$tmp/err" ] && [ ! -s "$tmp/out" ]; }
 tell 'silent when nobody looks' silent
-if command -v script > /dev/null; then
+if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
   shown() { script -qec "$randpack run $tmp/deep.scene --set realizations=3 --out $tmp/p" /dev/null < /dev/null | grep -q '3 of 3'; }
   tell 'progress on a terminal' shown
 fi
