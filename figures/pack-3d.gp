@@ -1,6 +1,6 @@
 # A pack of spheres of two sizes, seen from a corner; far ones first, each with its light.
 # data: pack-3d
-set terminal cairolatex pdf size 11cm,9.4cm font ",10"
+set terminal cairolatex pdf size 9.4cm,8cm font ",10"
 set output out
 unset tics; unset key; unset border
 set size ratio -1

@@ -1,9 +1,9 @@
 # p(n_h) of RSA packs at .30, windows of r_h = 2.5 a.
 # data: rsa-histogram rsa-histogram-random points-histogram
-set xrange [-0.6:17.6]; set yrange [0:0.42]
+set xrange [-0.6:16.6]; set yrange [0:0.42]
 set xlabel "$n_h$, centres in the window"; set ylabel "$p(n_h)$"
 set style fill solid 0.25 border
 set key inside top right vertical
-plot data("rsa-histogram-random", "histogram.tsv") using 1:2:3 with yerrorlines lt 1 pt 7 ps 0.5 title "RSA, random points", \
-  data("rsa-histogram", "histogram.tsv") using 1:2:3 with yerrorlines lt 2 pt 5 ps 0.5 title "RSA, centres, not counted", \
-  data("points-histogram", "histogram.tsv") using 1:2:3 with yerrorlines lt 3 pt 9 ps 0.6 title "points without volume, centres"
+plot data("rsa-histogram-random", "histogram.tsv") using 1:2:3 with yerrorlines lt 1 pt 7 ps 0.5 title "RSA, points", \
+  data("rsa-histogram", "histogram.tsv") using 1:2:3 with yerrorlines lt 2 pt 5 ps 0.5 title "RSA, centres", \
+  data("points-histogram", "histogram.tsv") using 1:2:3 with yerrorlines lt 3 pt 9 ps 0.6 title "no volume"

@@ -12,7 +12,7 @@ set key at graph 0.99,0.99 right vertical maxrows 3
 plot f using "R":"py_0.6" with lines lt 4 title "$\\phi=.6$", f using "R":"py_0.575" with lines lt 1 title "$.575$", \
   f using "R":"py_0.49" with lines lt 3 title "$.49$", f using "R":"py_0.3" with lines lt 5 title "$.3$", f using "R":"py_0.1" with lines lt 6 title "$.1$", \
   f using "R":"well-stirred_0.575" with lines lt 8 title "well-stirred"
-set tmargin screen 0.52; set bmargin screen 0.11
+set tmargin screen 0.49; set bmargin screen 0.11
 set xlabel "$R=r/a$"; set yrange [0:7.4]
 plot f using "R":"py_0.575" with lines lt 1 title "Percus--Yevick, $\\phi=.575$", f using "R":"willis_0.575" with lines lt 2 title "Willis", \
   f using "R":"willis-kanaun_0.575" with lines lt 3 dt 2 title "Willis--Kanaun", f using "R":"well-stirred_0.575" with lines lt 8 notitle
