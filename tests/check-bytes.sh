@@ -13,7 +13,7 @@ species = ( { name = "A"; radius = 1.0; volume = 0.5; }, { name = "B"; radius = 
             { name = "C"; radius = 0.31; volume = 0.2; } );
 number = 700; fraction = 0.27;
 make = { method = "rsa"; order = "large first"; };
-measure = { rdf = { reach = 4.0; estimator = "central"; }; nearest = {}; order = {}; shells = { reach = 1.5; };
+measure = { rdf = { reach = 4.0; estimator = "central"; }; nearest = {}; order = {};
             histogram = { centre = "random"; windows = 1000; }; coordination = { tolerance = 0.05; }; };
 END
 cat > "$tmp/discs.scene" <<'END'
