@@ -1,0 +1,385 @@
+/* The engine: against the plain kernel, against closed forms and theory. */
+#include "crm.h"
+#include "ref_motion.h"
+#include "theory.h"
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_test.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static Pack *random_points(int dim, size_t n, const double ratio[], double r1,
+                           size_t n2, double r2, uint64_t seed) {
+  Box box = box_make(dim, ratio, 731.5);
+  Species s[2] = {{.name = "A", .radius = r1, .count = n},
+                  {.name = "B", .radius = r2, .count = n2}};
+  Pack *pack = pack_alloc(&box, s, n2 ? 2 : 1, false);
+  Rng rng = rng_stream(seed, 0, RNG_TEST);
+  for (size_t c = 0; c < pack->n * (size_t)dim; c++)
+    pack->x[c] = rng_uniform(&rng) * box.side[c % (size_t)dim];
+  return pack;
+}
+static const double cube[3] = {1, 1, 1}, rod[3] = {1, 1, 20};
+
+/* Bit for bit the same sequence as the table of all pairs. */
+static void against_reference(int dim, size_t n, size_t n2, double ratio,
+                              double target, double gamma, MotionMass mass,
+                              double slack, size_t events) {
+  Pack *pack = random_points(dim, n, cube, 1, n2, ratio, 11 + n);
+  double v = pack_fraction(pack), f = dim == 2 ? sqrt(target / v)
+                                               : cbrt(target / v);
+  for (int s = 0; s < pack->kinds; s++)
+    pack->species[s].radius *= f;
+  Crm *crm = crm_alloc(pack, mass, slack);
+  Rng rng = rng_stream(5, 0, RNG_TEST);
+  Motion *motion = crm->motion;
+  motion_stir(motion, crm->order, &rng);
+  motion->size = 0;
+  motion->growth = gamma / pack_largest(pack);
+  RefMotion *ref = calloc(1, sizeof *ref);
+  ref->dim = dim;
+  ref->n = pack->n;
+  ref->pair = calloc(pack->n * pack->n, sizeof *ref->pair);
+  ref->growth = motion->growth;
+  ref->oldest = crm->oldest;
+  ref->wide = crm->near->wide;
+  for (size_t i = 0; i < pack->n; i++) {
+    const double *p = motion->hot + i * (size_t)(2 * dim + 2);
+    for (int k = 0; k < dim; k++) {
+      ref->x[i][k] = p[k];
+      ref->v[i][k] = p[dim + k];
+      ref->side[k] = motion->side[k];
+    }
+    ref->a[i] = p[2 * dim + 1];
+    ref->mass[i] = motion->mass ? motion->mass[i] : 1;
+  }
+  crm_sync(crm, 0, 1);
+  ref_sync(ref, 0);
+  size_t done = 0, agreed = 0, refreshed = 0;
+  while (done < events && motion->size < 1) {
+    double stop = (1 - motion->size) / motion->growth;
+    int landed = 0;
+    for (size_t w = 0; w < pack->n && !landed; w++) {
+      size_t i, j;
+      uint64_t had = crm->collisions;
+      crm_run(crm, stop, 1);
+      int what = ref_next(ref, stop, &i, &j);
+      landed = what == 0;
+      done++;
+      refreshed += what == 2;
+      uint32_t a = crm->pair[0], b = crm->pair[1];
+      int same = crm->now == ref->now && (crm->collisions > had) == (what == 1);
+      if (what == 1)
+        same = same && ((crm->order[i] == a && crm->order[j] == b) ||
+                        (crm->order[i] == b && crm->order[j] == a));
+      if (!same && agreed == done - 1 && getenv("SHOW"))
+        printf("event %zu: engine %.17g %u %u, table %.17g %zu %zu (%d)\n", done,
+               crm->now, a, b, ref->now, (size_t)crm->order[i],
+               (size_t)crm->order[j], what);
+      agreed += same;
+    }
+    double cool = 1 / sqrt(motion_temperature(motion) * 3);
+    crm_sync(crm, crm->now, cool);
+    ref_sync(ref, ref->now);
+    for (size_t i = 0; i < pack->n; i++)
+      for (int k = 0; k < dim; k++)
+        ref->v[i][k] *= cool;
+    ref_sync(ref, 0);
+    if (landed)
+      break;
+  }
+  gsl_test(agreed != done,
+           "%d-D, N=%zu+%zu, ratio %g, leash %g (%s): %zu of %zu events "
+           "(%zu refreshed, size %.4f) as the table has them",
+           dim, n, n2, ratio, slack, crm->near->wide ? "wide" : "narrow",
+           agreed, done, refreshed, motion->size);
+  free(ref->pair);
+  free(ref);
+  crm_free(&crm);
+  pack_free(&pack);
+}
+
+static void lands(int dim, size_t n, const double ratio[], size_t n2, double r2,
+                  double target, CrmProtocol protocol, double rate,
+                  MotionMass mass) {
+  Pack *pack = random_points(dim, n, ratio, 1, n2, r2, n + n2);
+  CrmPlan plan = {.protocol = protocol, .mass = mass, .rate = rate,
+                  .fraction = target, .points = true};
+  Rng rng = rng_stream(3, 1, RNG_TEST);
+  CrmReport report;
+  Outcome out = {0};
+  int status = crm_grow(pack, &plan, &rng, &report, &out);
+  double gap = pack_audit(pack) / (2 * pack_largest(pack));
+  gsl_test(status != DONE || fabs(pack_fraction(pack) - target) >= 1e-14 ||
+               gap < -1e-12 || report.unaccounted > 1e-12 ||
+               (pack->n > 1 && report.drift > 1e-12),
+           "%d-D N=%zu+%zu r2=%g to %g rate %g: status %d, off by %.2g, gap "
+           "%.3g, energy %.2g, drift %.2g, %.1f collisions a particle %s",
+           dim, n, n2, r2, target, rate, status, pack_fraction(pack) - target,
+           gap, report.unaccounted, report.drift,
+           2 * (double)report.collisions / (double)pack->n, out.text);
+  pack_free(&pack);
+}
+
+static void fails(size_t n, double target, double rate, double most,
+                  const char *why, double about) {
+  Pack *pack = random_points(3, n, cube, 1, 0, 1, n);
+  CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = rate, .fraction = target,
+                  .points = true, .pressure = most, .budget = 3e3};
+  Rng rng = rng_stream(4, 1, RNG_TEST);
+  CrmReport report;
+  Outcome out = {0};
+  int status = crm_grow(pack, &plan, &rng, &report, &out);
+  double gap = pack_audit(pack) / (2 * pack_largest(pack));
+  gsl_test(status != UNREACHED || !strstr(out.text, why) || gap < -1e-12 ||
+               fabs(report.fraction - about) > .03 * about,
+           "N=%zu to %g: status %d, gap %.3g: %s", n, target, status, gap,
+           out.text);
+  pack_free(&pack);
+}
+
+static void pressure(double phi, size_t n, double blocks) {
+  Pack *pack = random_points(3, n, cube, 1, 0, 1, 77);
+  CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = .05, .fraction = phi,
+                  .points = true};
+  Rng rng = rng_stream(9, 1, RNG_TEST);
+  CrmReport report;
+  Outcome out = {0};
+  crm_grow(pack, &plan, &rng, &report, &out);
+  int status = crm_equilibrate(pack, MOTION_EQUAL, 60, 20, blocks, &rng,
+                               &report, &out);
+  double cs = (1 + phi + phi * phi - phi * phi * phi) /
+              ((1 - phi) * (1 - phi) * (1 - phi));
+  double off = report.Z - cs;
+  gsl_test(status || fabs(off) > 4 * report.Z_error + .005 * cs ||
+               fabs(off) > .01 * cs || report.unaccounted > 1e-12 ||
+               pack_audit(pack) < -2e-12,
+           "phi=%g: Z=%.4f +- %.4f, Carnahan-Starling %.4f (%.2f se)", phi,
+           report.Z, report.Z_error, cs, off / report.Z_error);
+  pack_free(&pack);
+}
+
+/* Two or three bodies whose flights are known. */
+static Crm *bodies(Pack **pack, size_t n, const double x[][3],
+                   const double v[][3], double radius, double side,
+                   double growth) {
+  Box box = {.dim = 3, .side = {side, side, side}};
+  Species s = {.name = "A", .radius = radius, .count = n};
+  *pack = pack_alloc(&box, &s, 1, false);
+  for (size_t i = 0; i < n; i++)
+    for (size_t k = 0; k < 3; k++)
+      (*pack)->x[3 * i + k] = x[i][k];
+  Crm *crm = crm_alloc(*pack, MOTION_EQUAL, 0);
+  for (size_t i = 0; i < n; i++)
+    for (size_t k = 0; k < 3; k++)
+      crm->motion->hot[8 * i + 3 + k] = v[crm->order[i]][k];
+  crm->motion->growth = growth;
+  crm_sync(crm, 0, 1);
+  return crm;
+}
+
+static void collide_once(Crm *crm) {
+  for (uint64_t had = crm->collisions; crm->collisions == had;)
+    crm_run(crm, INFINITY, 1);
+}
+
+static void closed_forms(double side) {
+  Pack *pack;
+  /* Head on along x, growing: gap 2 - .75 - 1.5 .1 t closes at 1.1 + .15. */
+  const double x[2][3] = {{1.1, 2.3, 3.7}, {3.1, 2.3, 3.7}};
+  const double v[2][3] = {{.6, 0, 0}, {-.5, 0, 0}};
+  Crm *crm = bodies(&pack, 2, x, v, .375, side, .2);
+  collide_once(crm);
+  double t = 1.25 / (1.1 + .15);
+  gsl_test_abs(crm->now, t, 1e-14, "head on with growth, side %g", side);
+  crm_sync(crm, crm->now, 1);
+  size_t a = crm->order[0] == 0 ? 0 : 1;
+  /* w = -1.1, D' = .15: w* = .3 + 1.1; J = (1/2)(1.4 + 1.1) */
+  gsl_test_abs(crm->motion->hot[8 * a + 3], .6 - 1.25, 1e-14, "v of the first");
+  gsl_test_abs(crm->motion->hot[8 * (1 - a) + 3], -.5 + 1.25, 1e-14, "v second");
+  gsl_test_abs(crm->motion->work, 1.25 * .15, 1e-14, "growth's work");
+  gsl_test_abs(crm->motion->virial, 1.25 * .75 * (1 + .2 * t), 1e-14, "virial");
+  crm_free(&crm);
+  pack_free(&pack);
+  /* Oblique: B = .75 sin 30: impact parameter half the contact distance. */
+  const double y[2][3] = {{1, 2, 3}, {3, 2.375, 3}};
+  const double u[2][3] = {{1, 0, 0}, {0, 0, 0}};
+  crm = bodies(&pack, 2, y, u, .375, side, 0);
+  collide_once(crm);
+  gsl_test_abs(crm->now, 2 - .75 * sqrt(.75), 1e-14, "oblique");
+  crm_sync(crm, crm->now, 1);
+  a = crm->order[0] == 0 ? 0 : 1;
+  gsl_test_abs(crm->motion->hot[8 * a + 3], .25, 1e-14, "vx: 1 - cos^2 30");
+  gsl_test_abs(crm->motion->hot[8 * a + 4], -.25 * sqrt(3), 1e-14, "vy");
+  crm_free(&crm);
+  pack_free(&pack);
+  /* Newton's cradle of three: the velocity is handed on. */
+  const double z[3][3] = {{1, 2, 3}, {2.25, 2, 3}, {4, 2, 3}};
+  const double w[3][3] = {{.8, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  crm = bodies(&pack, 3, z, w, .375, side, 0);
+  collide_once(crm);
+  gsl_test_abs(crm->now, .5 / .8, 1e-14, "cradle, first");
+  collide_once(crm);
+  gsl_test_abs(crm->now, 1.5 / .8, 1e-14, "cradle, second");
+  crm_sync(crm, crm->now, 1);
+  for (size_t i = 0; i < 3; i++)
+    gsl_test_abs(crm->motion->hot[8 * i + 3], crm->order[i] == 2 ? .8 : 0,
+                 1e-14, "cradle, %u", crm->order[i]);
+  crm_free(&crm);
+  pack_free(&pack);
+}
+
+/* Forward, all velocities turned, and back: the start returns. */
+static void reversal(size_t n, double target, uint64_t collisions) {
+  Pack *pack = random_points(3, n, cube, 1, 0, 1, 5);
+  CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = .1, .fraction = target,
+                  .points = true};
+  Rng rng = rng_stream(6, 1, RNG_TEST);
+  Outcome out = {0};
+  crm_grow(pack, &plan, &rng, NULL, &out);
+  Crm *crm = crm_alloc(pack, MOTION_EQUAL, 0);
+  motion_stir(crm->motion, crm->order, &rng);
+  crm_sync(crm, 0, 1);
+  crm_run(crm, INFINITY, collisions);
+  double time = crm->now * (1 + 1e-6);
+  crm_sync(crm, time, -1);
+  crm_run(crm, time, UINT64_MAX);
+  Pack *back = random_points(3, n, cube, 1, 0, 1, 5);
+  crm_store(crm, back);
+  double most = 0;
+  for (size_t c = 0; c < 3 * n; c++)
+    most = fmax(most, fabs(box_nearest(back->x[c] - pack->x[c],
+                                       pack->box.side[c % 3])));
+  gsl_test(most > 1e-9 || crm->collisions < 2 * collisions - crm->refreshed,
+           "N=%zu: back after %.0f collisions within %.2g", n,
+           (double)crm->collisions, most);
+  crm_free(&crm);
+  pack_free(&back);
+  pack_free(&pack);
+}
+
+/* Leashes and vectors decide nothing. */
+static void same_bytes(int dim) {
+  static const double slack[] = {0, .1, .35, 0, 0};
+  static const char *const simd[] = {"default", "avx512f", "avx2", "avx2",
+                                     "avx512f"};
+  Pack *first = NULL;
+  for (int v = 0; v < 5; v++) {
+    setenv("RANDPACK_SIMD", simd[v], 1);
+    Pack *pack = random_points(dim, 900, cube, .3, 100, .1, 8);
+    Crm *crm = crm_alloc(pack, MOTION_VOLUME, slack[v]);
+    Rng rng = rng_stream(3, 3, RNG_TEST);
+    motion_stir(crm->motion, crm->order, &rng);
+    crm->motion->size = 0;
+    crm->motion->growth = .05;
+    for (int w = 0; w < 12; w++) {
+      crm_sync(crm, crm->now, 1);
+      crm_run(crm, (1 - crm->motion->size) / .05, 1000);
+    }
+    crm_store(crm, pack);
+    if (first)
+      gsl_test(memcmp(first->x, pack->x,
+                      pack->n * (size_t)dim * sizeof *pack->x) != 0,
+               "%d-D: the same bytes with leash %g and %s (%g leashes)", dim,
+               slack[v], simd[v], (double)crm->leashes);
+    else
+      first = pack;
+    if (first != pack)
+      pack_free(&pack);
+    crm_free(&crm);
+  }
+  unsetenv("RANDPACK_SIMD");
+  pack_free(&first);
+}
+
+static void coincident(double rate) {
+  Pack *pack = random_points(3, 60, cube, 1, 0, 1, 2);
+  for (size_t c = 0; c < 30; c++)
+    pack->x[c] = pack->x[c % 3];
+  CrmPlan plan = {.protocol = rate > 1 ? CRM_LITERAL : CRM_ISOTHERMAL,
+                  .rate = rate, .fraction = .4, .points = true};
+  Rng rng = rng_stream(3, 1, RNG_TEST);
+  Outcome out = {0};
+  int status = crm_grow(pack, &plan, &rng, NULL, &out);
+  double gap = pack_audit(pack) / (2 * pack_largest(pack));
+  gsl_test(status || gap < -1e-12, "ten points in one, rate %g: %d, gap %.3g %s",
+           rate, status, gap, out.text);
+  plan.points = false;
+  plan.fraction = .5;
+  pack->x[0] = pack->x[3];
+  pack->x[1] = pack->x[4];
+  pack->x[2] = pack->x[5];
+  gsl_test(crm_grow(pack, &plan, &rng, NULL, &out) != WRONG,
+           "an overlapping pack is refused: %s", out.text);
+  pack_free(&pack);
+}
+
+static void in_two_steps(void) {
+  Pack *pack = random_points(3, 500, cube, 1, 0, 1, 2);
+  CrmPlan plan = {.protocol = CRM_LITERAL, .rate = .2, .fraction = .4,
+                  .points = true};
+  Rng rng = rng_stream(3, 1, RNG_TEST);
+  CrmReport report;
+  Outcome out = {0};
+  crm_grow(pack, &plan, &rng, &report, &out);
+  gsl_test(report.heating <= 1, "a pack heats: %g times", report.heating);
+  plan.points = false;
+  plan.fraction = .53;
+  int status = crm_grow(pack, &plan, &rng, &report, &out);
+  gsl_test(status || fabs(pack_fraction(pack) - .53) >= 1e-14 ||
+               pack_audit(pack) < -2e-12,
+           "from .4 to .53: %d %s", status, out.text);
+  plan.fraction = .3;
+  gsl_test(crm_grow(pack, &plan, &rng, &report, &out) != WRONG, "denser: %s",
+           out.text);
+  pack_free(&pack);
+}
+
+int main(void) {
+  if (getenv("SHOW")) {
+    against_reference(3, 32, 0, 1, .50, .1, MOTION_EQUAL, 0, 4000);
+    return 0;
+  }
+  closed_forms(6.5);
+  closed_forms(65);
+  against_reference(3, 32, 0, 1, .50, .1, MOTION_EQUAL, 0, 4000);
+  against_reference(3, 32, 0, 1, .54, .03, MOTION_EQUAL, .2, 5000);
+  against_reference(2, 32, 0, 1, .70, .1, MOTION_EQUAL, 0, 4000);
+  against_reference(2, 150, 0, 1, .70, .1, MOTION_EQUAL, .2, 3000);
+  against_reference(3, 16, 60, .313, .50, .1, MOTION_VOLUME, 0, 3000);
+  against_reference(2, 2, 0, 1, .5, .1, MOTION_EQUAL, 0, 200);
+  against_reference(3, 3, 0, 1, .45, .001, MOTION_EQUAL, .15, 3000);
+  against_reference(2, 3, 0, 1, .60, .001, MOTION_EQUAL, .15, 3000);
+  lands(3, 2000, cube, 0, 1, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, 1000, cube, 0, 1, .575, CRM_LITERAL, 1, MOTION_EQUAL);
+  lands(2, 2000, cube, 0, 1, .80, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, 168, cube, 1832, .313, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, 3, cube, 2000, .1, .55, CRM_ISOTHERMAL, .1, MOTION_EQUAL);
+  lands(3, 3, cube, 2000, .1, .55, CRM_LITERAL, .1, MOTION_VOLUME);
+  lands(2, 20, cube, 1000, .1, .75, CRM_ISOTHERMAL, .1, MOTION_EQUAL);
+  lands(3, 300, rod, 0, 1, .55, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, 20, rod, 0, 1, .4, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, 1, cube, 0, 1, .5235, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, 2, cube, 0, 1, .6, CRM_ISOTHERMAL, .01, MOTION_EQUAL);
+  lands(3, 3, cube, 0, 1, .4, CRM_LITERAL, .05, MOTION_EQUAL);
+  lands(3, 8, cube, 0, 1, .5, CRM_ISOTHERMAL, .01, MOTION_EQUAL);
+  lands(2, 1, cube, 0, 1, .785, CRM_LITERAL, 1, MOTION_EQUAL);
+  lands(2, 3, cube, 0, 1, .5, CRM_LITERAL, 1, MOTION_EQUAL);
+  lands(3, 500, cube, 0, 1, 1e-6, CRM_LITERAL, 1, MOTION_EQUAL);
+  lands(3, 500, cube, 0, 1, .4, CRM_LITERAL, 10, MOTION_EQUAL);
+  fails(500, .4, 10, 0, "jammed", .29);
+  fails(1, .6, .1, 0, "own image", M_PI / 6);
+  fails(500, .70, .1, 1e6, "jammed", .64);
+  fails(300, .70, .001, 0, "budget", .468);
+  pressure(.10, 1000, 60);
+  pressure(.30, 1000, 60);
+  pressure(.45, 1000, 60);
+  reversal(5, .2, 20);
+  reversal(8, .3, 20);
+  same_bytes(3);
+  same_bytes(2);
+  coincident(.1);
+  coincident(5);
+  in_two_steps();
+  return gsl_test_summary();
+}
