@@ -209,7 +209,7 @@ bench: $(B)/bench ## speeds on this machine, recorded under data/
 
 # ---------------------------------------------------------------- the rest
 PREFIX := /usr/local
-install: $(B)/bin/randpack ## to $(PREFIX)/bin
+install: $(B)/bin/randpack ## to /usr/local/bin, or to bin of PREFIX=...
 	install -D $(B)/bin/randpack $(DESTDIR)$(PREFIX)/bin/randpack
 endif
 clean: ## remove build/
