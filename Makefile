@@ -155,7 +155,7 @@ $(B)/figures/%.d: figures/%.gp
 ifneq ($(filter help deps clean install bench build lint mutants,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
 -include $(FIGURES:%=$(B)/figures/%.d)
 endif
-$(B)/figures/%.tex: figures/%.gp figures/style.gp
+$(B)/figures/%.tex: figures/%.gp figures/style.gp $(wildcard figures/*.awk)
 	@echo '  draw $*'
 	@mkdir -p $(@D)
 	@gnuplot -e "name='$*'; out='$@'" figures/style.gp $<
@@ -180,7 +180,7 @@ $(B)/paper/hard.tex: $(B)/hard.tsv paper/hard.awk
 $(B)/paper/web.tex: $(WEB)
 	@mkdir -p $(@D)
 	@noweave -n -index $(WEB) > $@
-TEX := paper/book.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
+TEX := paper/book.tex paper/front.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
   $(B)/paper/values.tex $(B)/paper/findings.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
 $(B)/paper.pdf: $(TEX) paper/weave
 	@echo '  weave'
