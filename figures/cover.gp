@@ -5,7 +5,7 @@ set output out
 unset tics; unset key; unset border
 set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
-set xrange [-15:15]; set yrange [-13:13]
+set xrange [-19:19]; set yrange [-18:18]
 shade(species, q) = species == 1 ? 65536*int(150+90*q)+256*int(60+120*q)+int(10+100*q) : 65536*int(20+150*q)+256*int(70+140*q)+int(130+115*q)
 plot "< awk -f figures/spheres.awk build/data/pack-3d/pack-0.xyz | sort -g -k1,1 | awk -f figures/light.awk" \
   using 1:2:3:(shade($5, $4)) with circles fs solid noborder lc rgb variable
