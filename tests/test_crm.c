@@ -1,5 +1,6 @@
 /* The engine: against the plain kernel, against closed forms and theory. */
 #include "crm.h"
+#include "engine.h"
 #include "ref_motion.h"
 #include "theory.h"
 #include <gsl/gsl_math.h>
@@ -30,10 +31,10 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
                                                : cbrt(target / v);
   for (int s = 0; s < pack->kinds; s++)
     pack->species[s].radius *= f;
-  Crm *crm = crm_alloc(pack, mass, slack);
+  Engine *engine = engine_alloc(pack, mass, slack);
   Rng rng = rng_stream(5, 0, RNG_TEST);
-  Motion *motion = crm->motion;
-  motion_stir(motion, crm->order, &rng);
+  Motion *motion = engine->motion;
+  motion_stir(motion, engine->order, &rng);
   motion->size = 0;
   motion->growth = gamma / pack_largest(pack);
   RefMotion *ref = calloc(1, sizeof *ref);
@@ -41,8 +42,7 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
   ref->n = pack->n;
   ref->pair = calloc(pack->n * pack->n, sizeof *ref->pair);
   ref->growth = motion->growth;
-  ref->oldest = crm->oldest;
-  ref->wide = crm->near->wide;
+  ref->oldest = engine->oldest;
   for (size_t i = 0; i < pack->n; i++) {
     const double *p = motion->hot + i * (size_t)(2 * dim + 2);
     for (int k = 0; k < dim; k++) {
@@ -53,7 +53,8 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
     ref->a[i] = p[2 * dim + 1];
     ref->mass[i] = motion->mass ? motion->mass[i] : 1;
   }
-  crm_sync(crm, 0, 1);
+  engine_sync(engine, 0, 1);
+  ref->wide = engine->near->wide;
   ref_sync(ref, 0);
   size_t done = 0, agreed = 0, refreshed = 0;
   while (done < events && motion->size < 1) {
@@ -61,25 +62,26 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
     int landed = 0;
     for (size_t w = 0; w < pack->n && !landed; w++) {
       size_t i, j;
-      uint64_t had = crm->collisions;
-      crm_run(crm, stop, 1);
+      uint64_t had = engine->collisions;
+      engine_run(engine, stop, 1);
       int what = ref_next(ref, stop, &i, &j);
       landed = what == 0;
       done++;
       refreshed += what == 2;
-      uint32_t a = crm->pair[0], b = crm->pair[1];
-      int same = crm->now == ref->now && (crm->collisions > had) == (what == 1);
+      uint32_t a = engine->pair[0], b = engine->pair[1];
+      int same = engine->now == ref->now && (engine->collisions > had) == (what == 1);
       if (what == 1)
-        same = same && ((crm->order[i] == a && crm->order[j] == b) ||
-                        (crm->order[i] == b && crm->order[j] == a));
+        same = same && ((engine->order[i] == a && engine->order[j] == b) ||
+                        (engine->order[i] == b && engine->order[j] == a));
       if (!same && agreed == done - 1 && getenv("SHOW"))
         printf("event %zu: engine %.17g %u %u, table %.17g %zu %zu (%d)\n", done,
-               crm->now, a, b, ref->now, (size_t)crm->order[i],
-               (size_t)crm->order[j], what);
+               engine->now, a, b, ref->now, (size_t)engine->order[i],
+               (size_t)engine->order[j], what);
       agreed += same;
     }
     double cool = 1 / sqrt(motion_temperature(motion) * 3);
-    crm_sync(crm, crm->now, cool);
+    engine_sync(engine, engine->now, cool);
+    ref->wide = engine->near->wide;
     ref_sync(ref, ref->now);
     for (size_t i = 0; i < pack->n; i++)
       for (int k = 0; k < dim; k++)
@@ -91,11 +93,11 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
   gsl_test(agreed != done,
            "%d-D, N=%zu+%zu, ratio %g, leash %g (%s): %zu of %zu events "
            "(%zu refreshed, size %.4f) as the table has them",
-           dim, n, n2, ratio, slack, crm->near->wide ? "wide" : "narrow",
+           dim, n, n2, ratio, slack, engine->near->wide ? "wide" : "narrow",
            agreed, done, refreshed, motion->size);
   free(ref->pair);
   free(ref);
-  crm_free(&crm);
+  engine_free(&engine);
   pack_free(&pack);
 }
 
@@ -160,7 +162,7 @@ static void pressure(double phi, size_t n, double blocks) {
 }
 
 /* Two or three bodies whose flights are known. */
-static Crm *bodies(Pack **pack, size_t n, const double x[][3],
+static Engine *bodies(Pack **pack, size_t n, const double x[][3],
                    const double v[][3], double radius, double side,
                    double growth) {
   Box box = {.dim = 3, .side = {side, side, side}};
@@ -169,18 +171,18 @@ static Crm *bodies(Pack **pack, size_t n, const double x[][3],
   for (size_t i = 0; i < n; i++)
     for (size_t k = 0; k < 3; k++)
       (*pack)->x[3 * i + k] = x[i][k];
-  Crm *crm = crm_alloc(*pack, MOTION_EQUAL, 0);
+  Engine *engine = engine_alloc(*pack, MOTION_EQUAL, 0);
   for (size_t i = 0; i < n; i++)
     for (size_t k = 0; k < 3; k++)
-      crm->motion->hot[8 * i + 3 + k] = v[crm->order[i]][k];
-  crm->motion->growth = growth;
-  crm_sync(crm, 0, 1);
-  return crm;
+      engine->motion->hot[8 * i + 3 + k] = v[engine->order[i]][k];
+  engine->motion->growth = growth;
+  engine_sync(engine, 0, 1);
+  return engine;
 }
 
-static void collide_once(Crm *crm) {
-  for (uint64_t had = crm->collisions; crm->collisions == had;)
-    crm_run(crm, INFINITY, 1);
+static void collide_once(Engine *engine) {
+  for (uint64_t had = engine->collisions; engine->collisions == had;)
+    engine_run(engine, INFINITY, 1);
 }
 
 static void closed_forms(double side) {
@@ -188,44 +190,44 @@ static void closed_forms(double side) {
   /* Head on along x, growing: gap 2 - .75 - 1.5 .1 t closes at 1.1 + .15. */
   const double x[2][3] = {{1.1, 2.3, 3.7}, {3.1, 2.3, 3.7}};
   const double v[2][3] = {{.6, 0, 0}, {-.5, 0, 0}};
-  Crm *crm = bodies(&pack, 2, x, v, .375, side, .2);
-  collide_once(crm);
+  Engine *engine = bodies(&pack, 2, x, v, .375, side, .2);
+  collide_once(engine);
   double t = 1.25 / (1.1 + .15);
-  gsl_test_abs(crm->now, t, 1e-14, "head on with growth, side %g", side);
-  crm_sync(crm, crm->now, 1);
-  size_t a = crm->order[0] == 0 ? 0 : 1;
+  gsl_test_abs(engine->now, t, 1e-14, "head on with growth, side %g", side);
+  engine_sync(engine, engine->now, 1);
+  size_t a = engine->order[0] == 0 ? 0 : 1;
   /* w = -1.1, D' = .15: w* = .3 + 1.1; J = (1/2)(1.4 + 1.1) */
-  gsl_test_abs(crm->motion->hot[8 * a + 3], .6 - 1.25, 1e-14, "v of the first");
-  gsl_test_abs(crm->motion->hot[8 * (1 - a) + 3], -.5 + 1.25, 1e-14, "v second");
-  gsl_test_abs(crm->motion->work, 1.25 * .15, 1e-14, "growth's work");
-  gsl_test_abs(crm->motion->virial, 1.25 * .75 * (1 + .2 * t), 1e-14, "virial");
-  crm_free(&crm);
+  gsl_test_abs(engine->motion->hot[8 * a + 3], .6 - 1.25, 1e-14, "v of the first");
+  gsl_test_abs(engine->motion->hot[8 * (1 - a) + 3], -.5 + 1.25, 1e-14, "v second");
+  gsl_test_abs(engine->motion->work, 1.25 * .15, 1e-14, "growth's work");
+  gsl_test_abs(engine->motion->virial, 1.25 * .75 * (1 + .2 * t), 1e-14, "virial");
+  engine_free(&engine);
   pack_free(&pack);
   /* Oblique: B = .75 sin 30: impact parameter half the contact distance. */
   const double y[2][3] = {{1, 2, 3}, {3, 2.375, 3}};
   const double u[2][3] = {{1, 0, 0}, {0, 0, 0}};
-  crm = bodies(&pack, 2, y, u, .375, side, 0);
-  collide_once(crm);
-  gsl_test_abs(crm->now, 2 - .75 * sqrt(.75), 1e-14, "oblique");
-  crm_sync(crm, crm->now, 1);
-  a = crm->order[0] == 0 ? 0 : 1;
-  gsl_test_abs(crm->motion->hot[8 * a + 3], .25, 1e-14, "vx: 1 - cos^2 30");
-  gsl_test_abs(crm->motion->hot[8 * a + 4], -.25 * sqrt(3), 1e-14, "vy");
-  crm_free(&crm);
+  engine = bodies(&pack, 2, y, u, .375, side, 0);
+  collide_once(engine);
+  gsl_test_abs(engine->now, 2 - .75 * sqrt(.75), 1e-14, "oblique");
+  engine_sync(engine, engine->now, 1);
+  a = engine->order[0] == 0 ? 0 : 1;
+  gsl_test_abs(engine->motion->hot[8 * a + 3], .25, 1e-14, "vx: 1 - cos^2 30");
+  gsl_test_abs(engine->motion->hot[8 * a + 4], -.25 * sqrt(3), 1e-14, "vy");
+  engine_free(&engine);
   pack_free(&pack);
   /* Newton's cradle of three: the velocity is handed on. */
   const double z[3][3] = {{1, 2, 3}, {2.25, 2, 3}, {4, 2, 3}};
   const double w[3][3] = {{.8, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-  crm = bodies(&pack, 3, z, w, .375, side, 0);
-  collide_once(crm);
-  gsl_test_abs(crm->now, .5 / .8, 1e-14, "cradle, first");
-  collide_once(crm);
-  gsl_test_abs(crm->now, 1.5 / .8, 1e-14, "cradle, second");
-  crm_sync(crm, crm->now, 1);
+  engine = bodies(&pack, 3, z, w, .375, side, 0);
+  collide_once(engine);
+  gsl_test_abs(engine->now, .5 / .8, 1e-14, "cradle, first");
+  collide_once(engine);
+  gsl_test_abs(engine->now, 1.5 / .8, 1e-14, "cradle, second");
+  engine_sync(engine, engine->now, 1);
   for (size_t i = 0; i < 3; i++)
-    gsl_test_abs(crm->motion->hot[8 * i + 3], crm->order[i] == 2 ? .8 : 0,
-                 1e-14, "cradle, %u", crm->order[i]);
-  crm_free(&crm);
+    gsl_test_abs(engine->motion->hot[8 * i + 3], engine->order[i] == 2 ? .8 : 0,
+                 1e-14, "cradle, %u", engine->order[i]);
+  engine_free(&engine);
   pack_free(&pack);
 }
 
@@ -237,23 +239,23 @@ static void reversal(size_t n, double target, uint64_t collisions) {
   Rng rng = rng_stream(6, 1, RNG_TEST);
   Outcome out = {0};
   crm_grow(pack, &plan, &rng, NULL, &out);
-  Crm *crm = crm_alloc(pack, MOTION_EQUAL, 0);
-  motion_stir(crm->motion, crm->order, &rng);
-  crm_sync(crm, 0, 1);
-  crm_run(crm, INFINITY, collisions);
-  double time = crm->now * (1 + 1e-6);
-  crm_sync(crm, time, -1);
-  crm_run(crm, time, UINT64_MAX);
+  Engine *engine = engine_alloc(pack, MOTION_EQUAL, 0);
+  motion_stir(engine->motion, engine->order, &rng);
+  engine_sync(engine, 0, 1);
+  engine_run(engine, INFINITY, collisions);
+  double time = engine->now * (1 + 1e-6);
+  engine_sync(engine, time, -1);
+  engine_run(engine, time, UINT64_MAX);
   Pack *back = random_points(3, n, cube, 1, 0, 1, 5);
-  crm_store(crm, back);
+  engine_store(engine, back);
   double most = 0;
   for (size_t c = 0; c < 3 * n; c++)
     most = fmax(most, fabs(box_nearest(back->x[c] - pack->x[c],
                                        pack->box.side[c % 3])));
-  gsl_test(most > 1e-9 || crm->collisions < 2 * collisions - crm->refreshed,
+  gsl_test(most > 1e-9 || engine->collisions < 2 * collisions - engine->refreshed,
            "N=%zu: back after %.0f collisions within %.2g", n,
-           (double)crm->collisions, most);
-  crm_free(&crm);
+           (double)engine->collisions, most);
+  engine_free(&engine);
   pack_free(&back);
   pack_free(&pack);
 }
@@ -267,26 +269,26 @@ static void same_bytes(int dim) {
   for (int v = 0; v < 5; v++) {
     setenv("RANDPACK_SIMD", simd[v], 1);
     Pack *pack = random_points(dim, 900, cube, .3, 100, .1, 8);
-    Crm *crm = crm_alloc(pack, MOTION_VOLUME, slack[v]);
+    Engine *engine = engine_alloc(pack, MOTION_VOLUME, slack[v]);
     Rng rng = rng_stream(3, 3, RNG_TEST);
-    motion_stir(crm->motion, crm->order, &rng);
-    crm->motion->size = 0;
-    crm->motion->growth = .05;
+    motion_stir(engine->motion, engine->order, &rng);
+    engine->motion->size = 0;
+    engine->motion->growth = .05;
     for (int w = 0; w < 12; w++) {
-      crm_sync(crm, crm->now, 1);
-      crm_run(crm, (1 - crm->motion->size) / .05, 1000);
+      engine_sync(engine, engine->now, 1);
+      engine_run(engine, (1 - engine->motion->size) / .05, 1000);
     }
-    crm_store(crm, pack);
+    engine_store(engine, pack);
     if (first)
       gsl_test(memcmp(first->x, pack->x,
                       pack->n * (size_t)dim * sizeof *pack->x) != 0,
                "%d-D: the same bytes with leash %g and %s (%g leashes)", dim,
-               slack[v], simd[v], (double)crm->leashes);
+               slack[v], simd[v], (double)engine->leashes);
     else
       first = pack;
     if (first != pack)
       pack_free(&pack);
-    crm_free(&crm);
+    engine_free(&engine);
   }
   unsetenv("RANDPACK_SIMD");
   pack_free(&first);
