@@ -37,6 +37,14 @@ rows() {
     "$tmp/one/summary.tsv"
 }
 tell 'the summary accounts for the growth' rows
+chosen() { # chosen SETTING: it makes another pack, as full
+  run flat chosen --set "make.$1" && audit "$tmp/chosen/pack-0.xyz" 0.78 && ! cmp -s "$tmp"/{flat,chosen}/pack-0.xyz
+}
+for setting in mass=equal protocol=isothermal start_fraction=0.3 start=points growth=0.4; do
+  tell "$setting is another pack" chosen $setting
+done
+hot() { awk -F'\t' '$1 == "heating" && $2 > 2 { hot = 1 } END { exit !hot }' "$tmp/flat/summary.tsv"; }
+tell 'literal growth heats' hot
 jams() {
   ends 1 "$randpack" run "$tmp/one.scene" --set fraction=0.73 --out "$tmp/jam" && [ "$(wc -l < "$tmp/err")" = 1 ] &&
     grep -qE 'at fraction 0\.[56][0-9]+ of 0\.730000 after [0-9]+ collisions' "$tmp/err" && [ -z "$(ls "$tmp/jam" 2> /dev/null)" ]
