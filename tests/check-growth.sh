@@ -160,7 +160,7 @@ keeps() { unreached 0 --set unreached=keep && [ ! -s "$tmp/err" ]; }
 tell 'a combination that jams does not lose the others, but the status' fails
 tell 'unless the scene expects it' keeps
 of_sweep() { tell "$1" refused "$2" "$randpack" "$3" "${@:4}" --out "$tmp/new"; }
-of_sweep 'a key that is swept and set' 'sweep.scene:3: this key is swept, and set too; set' run "$tmp/sweep.scene" --set fraction=0.2
+of_sweep 'a key that is swept and set' 'sweep.scene:3: this key is swept, and set too; give' run "$tmp/sweep.scene" --set fraction=0.2
 of_sweep 'a sweep to measure a pack' 'a sweep makes its packs; give --set sweep=()' measure "$tmp/one/pack-0.xyz" --scene "$tmp/sweep.scene"
 of_sweep 'a sweep from the command line' ':--set: growht is not a key of make; known here' run "$tmp/one.scene" --set 'sweep=({key="make.growht";values=[1];})'
 of_sweep 'the last of six is wrong' 'sweep.scene:--set: fraction has a wrong value' run "$tmp/sweep.scene" \
