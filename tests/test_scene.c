@@ -156,6 +156,48 @@ static void test_fits(void) {
   scene_free(&s);
 }
 
+static void test_growth(void) {
+  static const char *const set[] = {"make={method=\"crm\";}", "fraction=max"};
+  Outcome out;
+  Scene *s = read_text(plain, set, 1, &out);
+  gsl_test(!s, "growth is read (%s)", out.text);
+  if (!s)
+    return;
+  const SceneMake *m = &s->make;
+  gsl_test(m->protocol != 1 || m->mass || m->start != START_POINTS, "isothermal, equal masses, from points");
+  gsl_test(m->growth != 0.05 || m->interval != 2 || m->pressure != 1e10 || m->budget != 1e5 || m->rest, "its numbers");
+  scene_free(&s);
+  s = read_text(plain, set, 2, &out);
+  gsl_test(!s, "to jamming (%s)", out.text);
+  if (!s)
+    return;
+  Box box = scene_box(s);
+  gsl_test_rel(700 * 4 * M_PI / 3 * 1.5 * 1.5 * 1.5 / box_volume(&box), M_PI / sqrt(18), 1e-14, "its least box");
+  scene_free(&s);
+}
+
+static void test_sweep(void) {
+  static const char *const names[] = {"@large-first@0.1@true", "@large-first@0.1@false", "@large-first@0.25@true",
+                                      "@large-first@0.25@false", "@random@0.1@true", "@random@0.1@false",
+                                      "@random@0.25@true", "@random@0.25@false"};
+  char text[1024];
+  int c = 0;
+  snprintf(text, sizeof text, "%ssweep = ( { key = \"make.order\"; values = (\"large first\", \"random\"); },\n"
+           "{ key = \"fraction\"; values = [1e-1, 0.25]; }, { key = \"save\"; values = [true, false]; } );", plain);
+  Scene *s = scene(text);
+  for (const Scene *one = s; one && c < 8; one = one->next, c++) {
+    gsl_test_str(one->suffix, names[c], "combination %d", c);
+    gsl_test(one->first != s || one->keys != 3 || strcmp(one->swept[1].key, "fraction"), "knows its place");
+    gsl_test(one->make.order != (c < 4) || one->fraction != (c & 2 ? 0.25 : 0.1) || one->save != !(c & 1), "has its values");
+    gsl_test(one->species[0].count != 700 || one->measure.rdf.line != 5, "and the rest of the scene");
+  }
+  gsl_test_int(c, 8, "all combinations");
+  scene_free(&s);
+  s = scene(plain);
+  gsl_test(s->keys || s->next || s->first != s || *s->suffix, "a scene without a sweep is one");
+  scene_free(&s);
+}
+
 int main(void) {
   close(mkstemp(path));
   test_defaults();
@@ -164,6 +206,8 @@ int main(void) {
   test_settings();
   test_long_numbers();
   test_fits();
+  test_growth();
+  test_sweep();
   remove(path);
   return gsl_test_summary();
 }
