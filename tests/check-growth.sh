@@ -50,6 +50,8 @@ jams() {
     grep -qE 'at fraction 0\.[56][0-9]+ of 0\.730000 after [0-9]+ collisions' "$tmp/err" && [ -z "$(ls "$tmp/jam" 2> /dev/null)" ]
 }
 tell 'a pack that jams below the fraction: status 1, and what was reached' jams
+intervals() { run one interval --set make.interval=20 && audit "$tmp/interval/pack-0.xyz" 0.55 && ! cmp -s "$tmp"/{one,interval}/pack-0.xyz; }
+tell 'another interval is another pack' intervals
 rests() { run one rest --set make.rest=20 && audit "$tmp/rest/pack-0.xyz" 0.55 && ! cmp -s "$tmp"/{one,rest}/pack-0.xyz &&
     [ "$(value collisions "$tmp/rest")" -ge $(($(value collisions "$tmp/one") + 2000)) ]; }
 tell 'a rest moves the particles and keeps the fraction' rests
@@ -111,8 +113,9 @@ tell 'no pressure of a pack that overlaps' over
 
 # --- jamming
 jammed() {
-  run one max --set fraction=max --set "make.$1" && [ "$(value number "$tmp/max")" = 200 ] &&
-    awk -F'\t' '$1 == "fraction" { phi = $2 } $1 == "pressure" { Z = $2 } END { exit !(phi > 0.58 && phi < 0.7 && Z > 1e10) }' \
+  run one max --set fraction=max --set "make.$1" --set make.pressure=1e4 --set measure.coordination.tolerance=3e-3 && [ "$(value number "$tmp/max")" = 200 ] &&
+    awk -F'\t' '$1 == "fraction" { phi = $2 } $1 == "pressure" { Z = $2 }
+      $1 == "backbone_coordination" { held = $2 } $1 == "rattlers" { rattlers = $2 } END { exit !(phi > 0.58 && phi < 0.7 && Z > 1e4 && held > 5.5 && held < 6.8 && rattlers < 0.1) }' \
       "$tmp/max/summary.tsv" && awk 'NR > 2 && ($5 - 1) ^ 2 > 1e-28 { exit 1 }' "$tmp/max/pack-0.xyz" &&
     audit "$tmp/max/pack-0.xyz" "$(awk 'NR == 2 { split($0, w, /[" ]/); printf "%.17g", 200 * 4 * 3.14159265358979323846 / 3 / w[2] ^ 3 }' "$tmp/max/pack-0.xyz")"
 }
