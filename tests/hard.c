@@ -2,6 +2,7 @@
    measured and ends with 0 if it is what tests/hard promises. */
 #include "cells.h"
 #include "contact.h"
+#include "crm.h"
 #include "order.h"
 #include "outcome.h"
 #include "pairs.h"
@@ -244,10 +245,227 @@ static bool py_far(void) {
   return good;
 }
 
+/* ------------------------------------------------------------ growth */
+/* A pack of n and n2 points at random in a box of these ratios; radii 1, r2. */
+static Pack *points(int dim, const double ratio[], size_t n, size_t n2,
+                    double r2) {
+  Box box = box_make(dim, ratio, 1000);
+  Species species[] = {{"A", 1, n}, {"B", r2, n2}};
+  Pack *pack = pack_alloc(&box, species, n2 ? 2 : 1, false);
+  scatter(pack, n + n2);
+  return pack;
+}
+static const double square[3] = {1, 1, 1};
+
+static CrmPlan gentle(double rate, double fraction) {
+  return (CrmPlan){.protocol = CRM_ISOTHERMAL, .rate = rate,
+                   .fraction = fraction, .points = true};
+}
+
+/* Grow it, audit it, free it; does it end with this status? At DONE the
+   fraction is exact; in any case nothing overlaps and the energy is there. */
+static bool grows(Pack *pack, const CrmPlan *plan, int wanted) {
+  Rng rng = rng_stream(5, 0, RNG_TEST);
+  CrmReport report = {0};
+  Outcome out = {0};
+  int status = crm_grow(pack, plan, &rng, &report, &out);
+  double off = fabs(pack_fraction(pack) - plan->fraction);
+  double gap = cells_least_gap(pack) / (2 * pack_largest(pack));
+  bool good = status == wanted && gap >= -1e-12 &&
+              report.unaccounted < 1e-12 && report.drift < 1e-12 &&
+              (status != DONE || off < 1e-14);
+  if (status == DONE)
+    printf("fraction %.6g, off by %s 1e-14, gap %s -1e-12, %.0f collisions a "
+           "particle",
+           pack_fraction(pack), off < 1e-14 ? "<" : ">",
+           gap >= -1e-12 ? ">" : "<",
+           2 * (double)report.collisions / (double)pack->n);
+  else
+    printf("status %d: %s", status, out.text);
+  pack_free(&pack);
+  return good;
+}
+
+static bool grow_none(void) {
+  CrmPlan plan = gentle(0.1, 0.3);
+  return grows(points(3, square, 0, 0, 1), &plan, WRONG);
+}
+
+static bool grow_one(void) {
+  Pack *pack = points(3, square, 1, 0, 1);
+  CrmPlan plan = gentle(0.1, 0.6);
+  Rng rng = rng_stream(5, 0, RNG_TEST);
+  CrmReport report = {0};
+  Outcome out = {0};
+  int status = crm_grow(pack, &plan, &rng, &report, &out);
+  double off = fabs(pack_fraction(pack) - M_PI / 6);
+  printf("status %d, fraction %.12g, off pi/6 by %s 1e-12", status,
+         pack_fraction(pack), off < 1e-12 ? "<" : ">");
+  pack_free(&pack);
+  return status == UNREACHED && off < 1e-12;
+}
+
+static bool grow_two(void) {
+  CrmPlan plan = gentle(0.01, 0.67);
+  return grows(points(3, square, 2, 0, 1), &plan, DONE);
+}
+static bool grow_two_many(void) {
+  Pack *pack = points(3, square, 2, 0, 1);
+  CrmPlan plan = gentle(0.01, 0.69);
+  Rng rng = rng_stream(5, 0, RNG_TEST);
+  Outcome out = {0};
+  int status = crm_grow(pack, &plan, &rng, NULL, &out);
+  double off = fabs(pack_fraction(pack) - M_PI * sqrt(3) / 8);
+  printf("status %d, off pi sqrt(3)/8 by %s 1e-8", status,
+         off < 1e-8 ? "<" : ">");
+  pack_free(&pack);
+  return status == UNREACHED && off < 1e-8;
+}
+static bool grow_three(void) {
+  CrmPlan plan = gentle(0.01, 0.45);
+  return grows(points(3, square, 3, 0, 1), &plan, DONE);
+}
+static bool grow_eight(void) {
+  CrmPlan plan = gentle(0.01, 0.52);
+  return grows(points(3, square, 8, 0, 1), &plan, DONE);
+}
+
+static bool grow_jam(void) {
+  CrmPlan plan = gentle(0.1, 0.75);
+  return grows(points(3, square, 500, 0, 1), &plan, UNREACHED);
+}
+static bool grow_slow(void) {
+  CrmPlan plan = gentle(1e-5, 0.03);
+  plan.budget = 1e7;
+  return grows(points(3, square, 16, 0, 1), &plan, DONE);
+}
+static bool grow_fast(void) {
+  CrmPlan plan = gentle(10, 0.2);
+  return grows(points(3, square, 500, 0, 1), &plan, DONE);
+}
+static bool grow_fast_literal(void) {
+  CrmPlan plan = gentle(1e4, 0.5);
+  plan.protocol = CRM_LITERAL;
+  return grows(points(3, square, 500, 0, 1), &plan, DONE);
+}
+static bool grow_dilute(void) {
+  CrmPlan plan = gentle(0.1, 1e-6);
+  return grows(points(3, square, 500, 0, 1), &plan, DONE);
+}
+
+static bool grow_from_a_point(void) {
+  Pack *pack = points(3, square, 60, 0, 1);
+  for (size_t c = 3; c < 3 * pack->n; c++)
+    pack->x[c] = pack->x[c - 3];
+  CrmPlan plan = gentle(0.1, 0.4);
+  return grows(pack, &plan, DONE);
+}
+
+static bool grow_narrow(void) {
+  static const double rod[3] = {1, 1, 20};
+  CrmPlan plan = gentle(0.05, 0.4);
+  return grows(points(3, rod, 20, 0, 1), &plan, DONE);
+}
+static bool grow_long(void) {
+  static const double rod[3] = {1, 1, 20};
+  CrmPlan plan = gentle(0.05, 0.55);
+  return grows(points(3, rod, 300, 0, 1), &plan, DONE);
+}
+
+static bool grow_hundred(void) {
+  CrmPlan plan = gentle(0.3, 0.3);
+  plan.mass = MOTION_VOLUME;
+  return grows(points(3, square, 2, 1000, 0.01), &plan, DONE);
+}
+static bool grow_thousand(void) {
+  CrmPlan plan = gentle(0.3, 0.2);
+  plan.mass = MOTION_VOLUME;
+  return grows(points(3, square, 2, 1000, 0.001), &plan, DONE);
+}
+static bool grow_one_among(void) {
+  CrmPlan plan = gentle(1, 0.2);
+  return grows(points(3, square, 1, 10000, 0.05), &plan, DONE);
+}
+
+static bool grow_dense_discs(void) {
+  CrmPlan plan = gentle(0.01, 0.85);
+  return grows(points(2, square, 400, 0, 1), &plan, DONE);
+}
+
+/* Radii 1 to 4 with a density as r^-3: a radius for each particle. */
+static bool grow_continuous(void) {
+  Box box = box_make(2, square, 1e5);
+  Species species = {"A", 1, 100000};
+  Pack *pack = pack_alloc(&box, &species, 1, true);
+  scatter(pack, 3);
+  Rng rng = rng_stream(4, 0, RNG_TEST);
+  for (size_t i = 0; i < pack->n; i++)
+    pack->radius[i] = 1 / sqrt(1 - 0.9375 * rng_uniform(&rng));
+  CrmPlan plan = gentle(0.5, 0.6);
+  return grows(pack, &plan, DONE);
+}
+
+/* 216 spheres on a simple cubic lattice, each overlapping its neighbours by
+   this share, in a box of this side: 12 is full. */
+static bool touches(double overlap, double side, int wanted) {
+  Box box = {3, {side, side, side}};
+  Species species = {"A", 1 + overlap, 216};
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  for (size_t i = 0; i < 216; i++) {
+    pack->x[3 * i] = 2 * (double)(i / 36);
+    pack->x[3 * i + 1] = 2 * (double)(i / 6 % 6);
+    pack->x[3 * i + 2] = 2 * (double)(i % 6);
+  }
+  Rng rng = rng_stream(5, 0, RNG_TEST);
+  CrmReport report = {0};
+  Outcome out = {0};
+  int status = crm_equilibrate(pack, MOTION_EQUAL, 20, 4, 20, &rng, &report, &out);
+  double gap = cells_least_gap(pack) / 2;
+  bool good = gap >= -1e-12 && (status != DONE || gsl_finite(report.Z));
+  printf("status %d, gap %s -1e-12 %s", status, gap >= -1e-12 ? ">" : "<", out.text);
+  pack_free(&pack);
+  return good && status == wanted;
+}
+static bool touching(void) {
+  return touches(0, 13, DONE);
+}
+static bool touching_full(void) {
+  return touches(0, 12, UNREACHED);
+}
+static bool overlapping_a_bit(void) {
+  return touches(1e-15, 13, DONE);
+}
+static bool overlapping_more(void) {
+  return touches(1e-13, 13, DONE);
+}
+
 static const struct {
   const char *name;
   bool (*run)(void);
 } cases[] = {
+    {"grow-none", grow_none},
+    {"grow-one", grow_one},
+    {"grow-two", grow_two},
+    {"grow-two-many", grow_two_many},
+    {"grow-three", grow_three},
+    {"grow-eight", grow_eight},
+    {"grow-jam", grow_jam},
+    {"grow-slow", grow_slow},
+    {"grow-fast", grow_fast},
+    {"grow-fast-literal", grow_fast_literal},
+    {"grow-dilute", grow_dilute},
+    {"grow-from-a-point", grow_from_a_point},
+    {"grow-narrow", grow_narrow},
+    {"grow-long", grow_long},
+    {"grow-hundred", grow_hundred},
+    {"grow-thousand", grow_thousand},
+    {"grow-one-among", grow_one_among},
+    {"grow-dense-discs", grow_dense_discs},
+    {"grow-continuous", grow_continuous},
+    {"touching", touching},
+    {"touching-full", touching_full},
+    {"overlapping-a-bit", overlapping_a_bit},
+    {"overlapping-more", overlapping_more},
     {"no-particle", no_particle}, {"two-particles", two_particles},
     {"narrow-box", narrow_box},   {"flat-box", flat_box},
     {"long-box", long_box},       {"size-ratio", size_ratio},
