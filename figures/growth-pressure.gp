@@ -1,15 +1,35 @@
-# The measured pressure, as a deviation from Schultz's fit of the fluid, in per mille.
-# data: growth-pressure growth-metastable
-excess(f) = sprintf("< awk -F'\\t' '/^#/ {next} !h {h=1; for (c=NF; c>0; c--) n[$c]=c; next} \
-  $n[\"Z_schultz\"] ~ /^[0-9]/ {s=$n[\"Z_schultz\"]; p=$n[\"fraction\"]; q=(1+p+p*p-p*p*p)/(1-p)^3; print p FS 1000*($n[\"Z\"]/s-1) FS 1000*$n[\"Z_err\"]/s FS $n[\"solid_fraction_after\"] FS 1000*(q/s-1)}' %s", data(f, "sweep.tsv"))
-set xrange [0:0.57]; set yrange [-12:12]
-set xlabel "$\\phi$"; set ylabel "$Z/Z_{\\rm Schultz}-1$ (\\textperthousand)" offset 1
-set xzeroaxis lt 8
-set key at graph 0.03,0.97 left top Left reverse vertical
-set arrow 1 from 0.4918,graph 0 to 0.4918,graph 1 nohead lt 8
-set label 1 "freezing" at 0.4918,graph 0.06 right offset -0.6,0
-plot excess("growth-pressure") using 1:5 with lines lt 5 title "Carnahan--Starling", \
-  excess("growth-metastable") using 1:5 with lines lt 5 notitle, \
-  excess("growth-pressure") using 1:2:3 with yerrorbars lt 1 title "collisions, fluid", \
-  excess("growth-metastable") using 1:2:3 with yerrorbars lt 2 title "collisions, after a long rest", \
-  excess("growth-metastable") using 1:($4 > 0.02 ? $2 : NaN) with points pt 6 ps 1.6 lc rgb "#000000" title "ordering begun"
+# The pressure by collisions: against Schultz's fit in the fluid; against Carnahan and Starling's beyond freezing.
+# data: growth-pressure growth-metastable growth-theory
+ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
+eos = "build/bin/randpack theory contact --phi "
+grid(from, to, step) = system(sprintf("seq -s, %g %g %g", from, step, to))
+# phi, Z of an equation over that of another
+ratio(a, b, list) = "< ".eos.list." | awk '$1==\"".a."\" {z[$2] = $4} $1==\"".b."\" {y[$2] = $4; p[++n] = $2} END {for (i = 1; i <= n; i++) printf \"%s\\t%.12g\\n\", p[i], z[p[i]]/y[p[i]]}'"
+# phi, Z and its error over that of an equation, from the rows of a sweep in which column c is v; solid fraction
+over(b, s, f, c, v) = "< awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) k[$i] = i; next} ".c." == ".v." {print $".f.", $k[\"Z\"], $k[\"Z_err\"], $k[\"solid_fraction_after\"]}' ".data(s, "sweep.tsv")." | while read phi z e q; do ".eos."$phi | awk -v z=$z -v e=$e -v q=$q '$1==\"".b."\" {printf \"%s\\t%.12g\\t%.12g\\t%s\\n\", $2, z/$4, e/$4, q}'; done"
+set multiplot
+set lmargin screen 0.105; set rmargin screen 0.53; set tmargin screen 0.97; set bmargin screen 0.16
+set xrange [0:0.51]; set xtics 0.1; set yrange [-2:2]
+set xlabel "$\\phi$"; set ylabel "$Z/Z_{\\rm Schultz}-1$, per mille" offset 1
+unset key
+set label 1 ink(2, "Carnahan--Starling") at 0.02,-1.4
+set label 2 ink(4, "Hansen-Goos, KLM") at 0.02,0.35
+low = grid(0.01, 0.49, 0.01)
+permille(r) = 1000*(r - 1)
+plot 0 with lines lt 8, ratio("carnahan-starling", "schultz", low) using 1:(permille($2)) with lines lt 2, \
+  ratio("hansen-goos", "schultz", low) using 1:(permille($2)) with lines lt 4, \
+  ratio("klm", "schultz", low) using 1:(permille($2)) with lines lt 4 dt 2, \
+  over("schultz", "growth-pressure", 1, 1, 1) using 1:(permille($2)):(1000*$3) with yerrorbars lt 1 ps 0.5
+set lmargin screen 0.635; set rmargin screen 0.985
+set xrange [0.485:0.57]; set xtics 0.02; set yrange [-1:10]
+set ylabel "$Z/Z_{\\rm CS}-1$, per cent" offset 1.5
+high = grid(0.48, 0.57, 0.002); fitted = grid(0.48, 0.55, 0.002)
+unset label
+set label 1 ink(1, "after 50") at 0.556,7.7 right; set label 2 ink(3, "after 800") at 0.57,2.6 right
+set label 3 ink(8, "collisions a particle") at 0.488,9.3
+set label 4 ink(7, "Schultz") at 0.538,-0.45 right
+percent(r) = 100*(r - 1)
+plot 0 with lines lt 8, ratio("schultz", "carnahan-starling", fitted) using 1:(percent($2)) with lines lt 7, \
+  for [i = 1:2] for [open = 0:1] over("carnahan-starling", "growth-metastable", 2, "$1", word("50 800", i)) \
+    using 1:(($4 > 0.02) == open ? percent($2) : NaN):(100*$3) with yerrorbars lt 2*i-1 pt word("7 9 6 8", i + 2*open) + 0 ps 0.6
+unset multiplot
