@@ -717,7 +717,48 @@ static void test_solid(void) {
   }
 }
 
+/* The backbone: a crystal, a loose one in its hole, what falls apart. */
+static void backbone(void) {
+  Species one = {"A", 1, 0};
+  Pack *pack = lattice_make(LATTICE_FCC, 1, &one, M_PI / sqrt(18));
+  Backbone b = order_backbone(pack, 1e-9);
+  gsl_test(b.coordination != 12 || b.backbone != 12 || b.rattlers != 0 ||
+               b.particles != pack->n || b.contacts != 6 * pack->n,
+           "fcc: the backbone is all of it, %zu contacts", b.contacts);
+  pack_free(&pack);
+  /* 27 spheres on a cubic lattice that touch, and a small one in a hole. */
+  Box box = {3, {6, 6, 6}};
+  Species two[] = {{"A", 1, 27}, {"B", 0.5, 1}};
+  pack = pack_alloc(&box, two, 2, false);
+  for (size_t i = 0; i < 27; i++) {
+    pack->x[3 * i] = 2 * (double)(i / 9);
+    pack->x[3 * i + 1] = 2 * (double)(i / 3 % 3);
+    pack->x[3 * i + 2] = 2 * (double)(i % 3);
+  }
+  pack->x[81] = pack->x[82] = pack->x[83] = 1;
+  b = order_backbone(pack, 1e-9);
+  gsl_test(b.contacts != 81 || b.particles != 27 || b.backbone != 6,
+           "a loose sphere in a cubic lattice is no part of its backbone");
+  gsl_test_abs(b.rattlers, 1. / 28, 1e-15, "one rattler of 28");
+  gsl_test_abs(b.coordination, 162. / 28, 1e-14, "its coordination");
+  pack_free(&pack);
+  /* Nine discs in a square, alone: the corners go, then all the others. */
+  Box plane = {2, {20, 20, 0}};
+  one.count = 9;
+  pack = pack_alloc(&plane, &one, 1, false);
+  for (size_t i = 0; i < 9; i++) {
+    pack->x[2 * i] = 5 + 2 * (double)(i / 3);
+    pack->x[2 * i + 1] = 5 + 2 * (double)(i % 3);
+  }
+  b = order_backbone(pack, 1e-9);
+  gsl_test(b.particles != 0 || b.contacts != 0 || b.rattlers != 1,
+           "nothing holds nine discs: %zu are said to be held", b.particles);
+  gsl_test_abs(b.coordination, 24. / 9, 1e-14, "their coordination");
+  pack_free(&pack);
+}
+
 int main(void) {
+  backbone();
   test_brute();
   test_loners();
   test_giant();
