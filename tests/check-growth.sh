@@ -170,6 +170,10 @@ fails() { unreached 1 && [ "$(wc -l < "$tmp/err")" = 1 ] && grep -q '1 of 2 comb
 keeps() { unreached 0 --set unreached=keep && [ ! -s "$tmp/err" ]; }
 tell 'a combination that jams does not lose the others, but the status' fails
 tell 'unless the scene expects it' keeps
+say keep "$(cat "$tmp/sweep.scene") unreached = \"keep\";"
+alone() { ends "$1" "$randpack" run "$tmp/keep.scene" --set 'sweep=()' --set fraction="$2" --out "$tmp/alone"; }
+tell 'such a scene runs without its sweep' alone 0 0.3
+tell 'and then expects nothing' alone 1 0.73
 of_sweep() { tell "$1" refused "$2" "$randpack" "$3" "${@:4}" --out "$tmp/new"; }
 of_sweep 'a key that is swept and set' 'sweep.scene:3: this key is swept, and set too; give' run "$tmp/sweep.scene" --set fraction=0.2
 of_sweep 'a sweep to measure a pack' 'a sweep makes its packs; give --set sweep=()' measure "$tmp/one/pack-0.xyz" --scene "$tmp/sweep.scene"
