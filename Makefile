@@ -127,7 +127,8 @@ $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@$(B)/bin/randpack run figures/$*.scene --out $(@D)
 	@touch $@
 # Speed against error: the operations here, the seconds from their record.
-BENCHED := outcome simd box rng pack cells rsa pairs contact py table flags
+BENCHED := outcome simd box rng pack cells rsa pairs contact py table \
+  near motion events engine crm theory flags
 $(B)/data/speed/summary.tsv: tests/bench.c $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'
 	@$(B)/bench ops $(@D)

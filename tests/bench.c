@@ -8,19 +8,24 @@
      bench compare FILE       ours beside the plain programs */
 #include "cells.h"
 #include "contact.h"
+#include "crm.h"
+#include "engine.h"
 #include "outcome.h"
 #include "pairs.h"
 #include "py.h"
+#include "ref_crm.h"
 #include "ref_pairs.h"
 #include "ref_py.h"
 #include "ref_rsa.h"
 #include "rsa.h"
 #include "simd.h"
 #include "table.h"
+#include "theory.h"
 #include <assert.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
+#include <malloc.h>
 #include <omp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -882,6 +887,326 @@ static void rsa_seconds(Bench *bench) {
   }
 }
 
+/* ------------------------------------------------------------ growth */
+/* A pack grown from random points; of two sizes if so many are of the other,
+   of this ratio. */
+static Pack *crm_pack(size_t n, size_t other, double ratio, double fraction,
+                      double gamma, uint64_t k, CrmReport *report) {
+  const double cube[] = {1, 1, 1};
+  Species kind[] = {{"A", 1, n - other}, {"B", ratio, other}};
+  double solid = (double)(n - other) * pack_ball(3, 1) +
+                 (double)other * pack_ball(3, ratio);
+  Box box = box_make(3, cube, solid / fraction);
+  Pack *pack = pack_alloc(&box, kind, other ? 2 : 1, false);
+  Rng rng = rng_stream(SEED, n * 1000 + k, RNG_POSITIONS);
+  CrmPlan plan = {.protocol = CRM_ISOTHERMAL,
+                  .rate = gamma,
+                  .fraction = fraction,
+                  .points = true};
+  Outcome out = {0};
+  for (size_t c = 0; c < 3 * n; c++)
+    pack->x[c] = rng_uniform(&rng) * box.side[c % 3];
+  crm_grow(pack, &plan, &rng, report, &out);
+  assert(out.status == DONE);
+  return pack;
+}
+
+/* The same at rest from growth for so many collisions a particle. */
+static Engine *crm_engine(const Pack *pack, uint64_t k) {
+  Engine *engine = engine_alloc(pack, MOTION_EQUAL, 0);
+  Rng rng = rng_stream(SEED, k, RNG_VELOCITIES);
+  motion_stir(engine->motion, engine->order, &rng);
+  engine->motion->size = 1;
+  engine_sync(engine, 0, 1);
+  return engine;
+}
+
+/* Collisions, with a sync after every N; the time that they took. */
+static double crm_run(Engine *engine, double collisions) {
+  double time = 0;
+  for (uint64_t left = (uint64_t)(collisions + 0.5); left > 0;) {
+    uint64_t part = GSL_MIN(left, engine->motion->n);
+    engine_run(engine, GSL_POSINF, part);
+    time += engine->now;
+    engine_sync(engine, engine->now, 1);
+    left -= part;
+  }
+  return time;
+}
+
+static const double CRM_PHI = 0.49;
+enum { CRM_N = 1000, CRM_BLOCKS = 128, CRM_EACH = 8, CRM_CHAINS = 32 };
+
+/* The contact value from the collisions of so long a time. */
+static double crm_contact(const Engine *engine, double virial, double time) {
+  const Motion *motion = engine->motion;
+  double scale = 3 * (double)motion->n * motion_temperature(motion) * time;
+  return virial / scale / (4 * CRM_PHI);
+}
+
+static const char *const crm_method[] = {"bin", "fit", "rate"};
+
+/* Estimates from the first 1, 2, 4 ... blocks of a run in equilibrium; a block
+   ends with a look at the places. */
+static void crm_chain(uint64_t k, double seen[][3]) {
+  CrmReport report;
+  Pack *pack = crm_pack(CRM_N, 0, 1, CRM_PHI, 0.3, k, &report);
+  Engine *engine = crm_engine(pack, k);
+  crm_run(engine, 100.0 / 2 * CRM_N);
+  double sum[2] = {0, 0}, time = 0;
+  engine->motion->virial = 0;
+  for (int b = 1, row = 0; b <= CRM_BLOCKS; b++) {
+    time += crm_run(engine, CRM_EACH / 2.0 * CRM_N);
+    engine_store(engine, pack);
+    double a = pack_largest(pack);
+    sum[0] += contact_first_bin(pack, 2 * a, 0.1 * a);
+    sum[1] += contact_value(pack, 2 * a, 2, 0).value;
+    if ((b & (b - 1)) != 0)
+      continue;
+    seen[row][0] = sum[0] / b;
+    seen[row][1] = sum[1] / b;
+    seen[row++][2] = crm_contact(engine, engine->motion->virial, time);
+  }
+  engine_free(&engine);
+  pack_free(&pack);
+}
+
+/* Relative to the truth, in percent: the bias of so many values, its error. */
+static void crm_bias(const double value[], size_t n, size_t stride,
+                     double *bias, double *error) {
+  double truth = theory_contact(THEORY_SCHULTZ, CRM_PHI);
+  table_mean(value, n, stride, 0, bias, error);
+  *bias = 100 * (*bias / truth - 1);
+  *error *= 100 / truth;
+}
+
+static void crm_estimators(Bench *bench) {
+  enum { ROWS_SEEN = 8 };
+  static double seen[CRM_CHAINS][ROWS_SEEN][3];
+  Table table = begin(bench, "crm-contact.tsv",
+                      "The contact value at .49 from one run at rest, percent",
+                      "method\tcollisions a particle\tbias\tits "
+                      "error\tscatter\tits error\trms");
+  for (size_t k = 0; k < CRM_CHAINS; k++)
+    crm_chain(k, seen[k]);
+  for (size_t m = 0; m < 3; m++) {
+    double bias, error, scatter = 0, best = 0;
+    for (int row = 0; row < ROWS_SEEN; row++) {
+      double spent = CRM_EACH * (double)(1 << row);
+      crm_bias(seen[0][row] + m, CRM_CHAINS, ROWS_SEEN * 3, &bias, &error);
+      scatter = error * sqrt(CRM_CHAINS);
+      double rms = gsl_hypot(bias, scatter);
+      fprintf(table.file, "%s\t%g\t%.3g\t%.2g\t%.3g\t%.2g\t%.3g\n",
+              crm_method[m], spent, bias, error, scatter,
+              scatter / sqrt(2.0 * CRM_CHAINS), rms);
+      if (row == 0)
+        say(bench, scatter, scatter / sqrt(2.0 * CRM_CHAINS),
+            "crm_%s_scatter_short", crm_method[m]);
+      if (best == 0 && rms < 1)
+        say(bench, best = spent, 0, "crm_%s_percent", crm_method[m]);
+    }
+    say(bench, bias, error, "crm_%s_bias", crm_method[m]);
+    say(bench, scatter, scatter / sqrt(2.0 * CRM_CHAINS), "crm_%s_scatter",
+        crm_method[m]);
+  }
+  end(bench, &table);
+}
+
+/* The contact value by extrapolation: right after landing at a rate of growth,
+   and of the fastest after a rest. */
+enum { CRM_PACKS = 48, CRM_RESTS = 7 };
+
+static void crm_row(Bench *bench, const Table *table, const char *how,
+                    double parameter, double spent, const double value[],
+                    size_t packs, size_t stride) {
+  double bias, error;
+  crm_bias(value, packs, stride, &bias, &error);
+  fprintf(table->file, "%s\t%g\t%.4g\t%.3g\t%.2g\n", how, parameter, spent,
+          bias, error);
+  say(bench, bias, error, "crm_%s_%g_bias", how, parameter);
+  say(bench, spent, 0, "crm_%s_%g_spent", how, parameter);
+}
+
+static double crm_fit(const Pack *pack) {
+  return contact_value(pack, 2 * pack_largest(pack), 2, 0).value;
+}
+
+static void crm_rests(Bench *bench, const Table *table) {
+  static double value[CRM_PACKS][CRM_RESTS];
+  CrmReport report;
+  double grown = 0;
+  for (size_t k = 0; k < CRM_PACKS; k++) {
+    Pack *pack = crm_pack(CRM_N, 0, 1, CRM_PHI, 1, k, &report);
+    Engine *engine = crm_engine(pack, k);
+    grown += 2 * (double)report.collisions / CRM_N / CRM_PACKS;
+    for (int r = 0; r < CRM_RESTS; r++) {
+      crm_run(engine, (r ? 1 << (r - 1) : 1) * CRM_N / 2.0);
+      engine_store(engine, pack);
+      value[k][r] = crm_fit(pack);
+    }
+    engine_free(&engine);
+    pack_free(&pack);
+  }
+  for (int r = 0; r < CRM_RESTS; r++)
+    crm_row(bench, table, "rest", 1 << r, grown + (1 << r), value[0] + r,
+            CRM_PACKS, CRM_RESTS);
+}
+
+static void crm_rates(Bench *bench) {
+  static const struct {
+    double gamma;
+    size_t packs;
+  } job[] = {{1, 48},    {0.3, 48},   {0.1, 48}, {0.03, 48},
+             {0.01, 24}, {0.003, 12}, {0.001, 6}};
+  Table table = begin(bench, "crm-rate.tsv",
+                      "The contact value at .49 after growth, percent off",
+                      "method\trate, or collisions of rest\tcollisions a "
+                      "particle\tbias\tits error");
+  for (size_t j = 0; j < COUNT(job); j++) {
+    double value[CRM_PACKS], spent = 0;
+    for (size_t k = 0; k < job[j].packs; k++) {
+      CrmReport report;
+      Pack *pack = crm_pack(CRM_N, 0, 1, CRM_PHI, job[j].gamma, k, &report);
+      value[k] = crm_fit(pack);
+      spent += 2 * (double)report.collisions / CRM_N / (double)job[j].packs;
+      pack_free(&pack);
+    }
+    crm_row(bench, &table, "grown", job[j].gamma, spent, value, job[j].packs,
+            1);
+  }
+  crm_rests(bench, &table);
+  end(bench, &table);
+}
+
+/* The same work as many small packs or few large ones. */
+static void crm_sizes(Bench *bench) {
+  enum { ALL = 32000, REST = 64 };
+  static const size_t size[] = {32, 64, 128, 500, 2000, 8000};
+  Table table = begin(bench, "crm-size.tsv",
+                      "The contact value at .49 of as much work in packs of N, "
+                      "percent off",
+                      "method\tparticles a pack\tpacks\tbias\tits error");
+  for (size_t s = 0; s < COUNT(size); s++) {
+    size_t n = size[s], packs = ALL / n;
+    double *value = memory(2 * packs, sizeof *value), bias, error;
+    for (size_t k = 0; k < packs; k++) {
+      CrmReport report;
+      Pack *pack = crm_pack(n, 0, 1, CRM_PHI, 0.3, k, &report);
+      Engine *engine = crm_engine(pack, k);
+      crm_run(engine, REST / 2.0 * (double)n);
+      engine->motion->virial = 0;
+      double time = crm_run(engine, REST / 2.0 * (double)n);
+      value[2 * k] = crm_contact(engine, engine->motion->virial, time);
+      engine_store(engine, pack);
+      value[2 * k + 1] = crm_fit(pack);
+      engine_free(&engine);
+      pack_free(&pack);
+    }
+    for (size_t m = 0; m < 2; m++) {
+      const char *name = crm_method[2 - m];
+      crm_bias(value + m, packs, 2, &bias, &error);
+      fprintf(table.file, "%s\t%zu\t%zu\t%.3g\t%.2g\n", name, n, packs, bias,
+              error);
+      say(bench, bias, error, "crm_size_%s_%zu", name, n);
+    }
+    free(value);
+  }
+  end(bench, &table);
+}
+
+/* Bytes that the engine holds for a particle, lists and all. */
+static void crm_bytes(Bench *bench) {
+  CrmReport report;
+  Pack *pack = crm_pack(16000, 0, 1, 0.54, 1, 0, &report);
+  struct mallinfo2 before = mallinfo2();
+  Engine *engine = crm_engine(pack, 0);
+  struct mallinfo2 after = mallinfo2();
+  double bytes = (double)(after.uordblks + after.hblkhd) -
+                 (double)(before.uordblks + before.hblkhd);
+  say(bench, bytes / 16000, 0, "crm_bytes");
+  engine_free(&engine);
+  pack_free(&pack);
+}
+
+static void crm_operations(Bench *bench) {
+  say(bench, theory_contact(THEORY_SCHULTZ, CRM_PHI), 0, "crm_truth");
+  crm_estimators(bench);
+  crm_rates(bench);
+  crm_sizes(bench);
+  crm_bytes(bench);
+}
+
+typedef struct {
+  Engine *engine;
+  RefCrm *plain;
+  double collisions; /* a call */
+} CrmJob;
+
+static void crm_ours(void *of) {
+  CrmJob *job = of;
+  crm_run(job->engine, job->collisions);
+}
+
+static void crm_plain(void *of) {
+  CrmJob *job = of;
+  ref_crm_run(job->plain, GSL_POSINF, (uint64_t)job->collisions);
+}
+
+/* The plain kernel where the engine stands, but in the pack's order. */
+static RefCrm *crm_plain_of(const Engine *engine, const Pack *pack) {
+  RefCrm *plain = ref_crm_alloc(pack->n, pack->box.side[0], pack_largest(pack));
+  for (size_t i = 0; i < pack->n; i++)
+    for (size_t k = 0; k < 3; k++) {
+      const double *record = engine->motion->hot + 8 * i;
+      plain->x[3 * engine->order[i] + k] =
+          box_wrap(record[k], pack->box.side[k]);
+      plain->v[3 * engine->order[i] + k] = record[3 + k];
+    }
+  ref_crm_start(plain, pack_largest(pack), 0);
+  return plain;
+}
+
+/* Collisions at constant radius. Grown fast, then rested for 20 collisions a
+   particle, neither timed. */
+static void crm_fixed(Bench *bench, const char *label, size_t n, size_t other,
+                      double fraction) {
+  CrmReport report;
+  double gamma = fraction < 0.6 ? 0.5 : 0.05;
+  Pack *pack = crm_pack(n, other, 0.313, fraction, gamma, 0, &report);
+  CrmJob job = {crm_engine(pack, 0), NULL,
+                (double)n * GSL_MAX(1, 32000 / (double)n)};
+  crm_run(job.engine, 10 * (double)n);
+  if (!other)
+    job.plain = crm_plain_of(job.engine, pack);
+  const Case cases[] = {{"ours", crm_ours, &job, GSL_NAN},
+                        {"plain_cells", crm_plain, &job, GSL_NAN}};
+  measure(bench, label, (double)n, job.collisions, cases, other ? 1 : 2);
+  if (job.plain)
+    ref_crm_free(job.plain);
+  engine_free(&job.engine);
+  pack_free(&pack);
+}
+
+static void crm_growing(void *of) {
+  CrmReport report;
+  Pack *pack = crm_pack(*(size_t *)of, 0, 1, 0.6, 0.05, 0, &report);
+  pack_free(&pack);
+}
+
+static void crm_seconds(Bench *bench) {
+  static const size_t size[] = {500, 2000, 16000, 128000};
+  for (size_t s = 0; s < COUNT(size); s++) {
+    crm_fixed(bench, "0.54", size[s], 0, 0.54);
+    crm_fixed(bench, "0.30", size[s], 0, 0.30);
+  }
+  crm_fixed(bench, "one-0.60", 2000, 0, 0.60);
+  crm_fixed(bench, "two-0.60", 2000, 1832, 0.60);
+  for (size_t n = 2000; n <= 16000; n *= 8) {
+    Case one = {"ours", crm_growing, &n, GSL_NAN};
+    measure(bench, "grow-0.60", (double)n, (double)n, &one, 1);
+  }
+}
+
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
   const char *name;
@@ -903,7 +1228,12 @@ static const Task tasks[] = {
      {"pairs", "cells", "box", "rng", "flags"},
      pairs_operations,
      pairs_seconds},
-    {"rsa", {"rsa", "box", "rng", "flags"}, rsa_operations, rsa_seconds}};
+    {"rsa", {"rsa", "box", "rng", "flags"}, rsa_operations, rsa_seconds},
+    {"crm",
+     {"crm", "engine", "motion", "near", "events", "contact", "pairs", "box",
+      "rng", "simd", "flags"},
+     crm_operations,
+     crm_seconds}};
 
 static void operations(Bench *bench) {
   char print[COUNT(tasks)][17];
@@ -1113,6 +1443,9 @@ static void compare(const char *file) {
       printf("%-11s%-18s%10g  %-9s%13.4g%13.4g%8.2f\n", r->task, r->label,
              r->size, r->method, r->work / r->seconds,
              plain->work / plain->seconds, plain->seconds / r->seconds);
+    else if (!is_plain(r) && !strcmp(r->task, "crm"))
+      printf("%-11s%-18s%10g  %-9s%13.4g%13s%8s %.3g s\n", r->task, r->label,
+             r->size, r->method, r->work / r->seconds, "-", "-", r->seconds);
   }
   free(row);
 }
