@@ -18,8 +18,8 @@ do for [j = 1:3] {
   set yrange [low:high]; set ytics (5, 7, 10, 15, 20, 30, 50, 70, 100, 150)
   do for [k = 1:2] {
     unset label; unset arrow
-    if (k == 1) { set ylabel "first peak" offset 2.2,0; set format y "%g"; set xrange [6e-4:16]; set xtics 1e-3,10,10
-    } else { unset ylabel; set format y ""; set xrange [40:3e4]; set xtics 100,10 }
+    if (k == 1) { set label "first peak" at screen 0.022,graph 0.5 center rotate by 90; set format y "%g"; set xrange [6e-4:16]; set xtics 1e-3,10,10
+    } else { set format y ""; set xrange [40:3e4]; set xtics 100,10 }
     if (j == 3) { set format x (k == 1 ? "$10^{%T}$" : "$10^{%T}$")
       set xlabel (k == 1 ? "$\\Gamma$ (isothermal), $a_0$ (literal)" : "collisions a particle")
     } else { set format x ""; unset xlabel }

@@ -12,7 +12,7 @@ free = "< awk -F'\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) k[$i] = i; nex
 set multiplot
 set lmargin screen 0.125; set rmargin screen 0.535; set tmargin screen 0.97; set bmargin screen 0.18
 set xrange [0:0.51]; set xtics 0.1; set yrange [-3.3:1.7]
-set xlabel "$\\phi$"; set ylabel "$Z/Z_{\\rm Schultz}-1$, per mille" offset 2.2,0
+set xlabel "$\\phi$"; set ylabel "$Z/Z_{\\rm Schultz}-1$, per mille" offset 0.8,0
 unset key
 set label 1 ink(2, "Carnahan--Starling") at 0.02,-2.6
 set label 2 ink(4, "Hansen-Goos, KLM") at 0.02,1.35
@@ -24,11 +24,11 @@ plot 0 with lines lt 8, ratio("carnahan-starling", "schultz", low) using 1:(perm
   free using 1:(permille($2)):(1000*$3) with yerrorbars lt 1 ps 0.5
 set lmargin screen 0.655; set rmargin screen 0.985
 set xrange [0.485:0.57]; set xtics 0.02; set yrange [-1:10]
-set ylabel "$Z/Z_{\\rm CS}-1$, per cent" offset 2.2,0
+set ylabel "$Z/Z_{\\rm CS}-1$, per cent" offset 1,0
 high = grid(0.48, 0.57, 0.002); fitted = grid(0.48, 0.55, 0.002)
 unset label
-set label 1 ink(1, "after 50") at 0.556,7.7 right; set label 2 ink(3, "after 800") at 0.57,2.6 right
-set label 3 ink(8, "collisions a particle") at 0.488,9.3
+set label 1 ink(1, "50") at 0.555,7.8 right; set label 2 ink(3, "800") at 0.565,1.2
+set label 3 ink(8, "collisions a particle:") at 0.488,9.3
 set label 4 ink(7, "Schultz") at 0.538,-0.45 right
 percent(r) = 100*(r - 1)
 plot 0 with lines lt 8, ratio("schultz", "carnahan-starling", fitted) using 1:(percent($2)) with lines lt 7, \
