@@ -12,14 +12,14 @@ work(n) = 2*n/1000.
 set logscale xy
 set ytics nomirror; unset mytics; set mxtics 1
 unset key
-set multiplot layout 3,2 margins 0.115,0.985,0.075,0.985 spacing 0.035,0.035
+set multiplot layout 3,2 margins 0.125,0.985,0.09,0.99 spacing 0.035,0.03
 do for [j = 1:3] {
-  phi = real(word("0.575 0.6 0.63", j)); low = real(word("6 7 11", j)); high = real(word("150 80 160", j))
+  phi = real(word("0.575 0.6 0.63", j)); low = real(word("5.2 6 10", j)); high = real(word("130 60 130", j))
   set yrange [low:high]; set ytics (5, 7, 10, 15, 20, 30, 50, 70, 100, 150)
   do for [k = 1:2] {
     unset label; unset arrow
-    if (k == 1) { set ylabel "first peak"; set format y "%g"; set xrange [6e-4:16]; set xtics 1e-3,10,10
-    } else { unset ylabel; set format y ""; set xrange [40:3e4]; set xtics 100,10 }
+    if (k == 1) { set label "first peak" at screen 0.022,graph 0.5 center rotate by 90; set format y "%g"; set xrange [6e-4:16]; set xtics 1e-3,10,10
+    } else { set format y ""; set xrange [40:3e4]; set xtics 100,10 }
     if (j == 3) { set format x (k == 1 ? "$10^{%T}$" : "$10^{%T}$")
       set xlabel (k == 1 ? "$\\Gamma$ (isothermal), $a_0$ (literal)" : "collisions a particle")
     } else { set format x ""; unset xlabel }
@@ -28,12 +28,12 @@ do for [j = 1:3] {
     if (j < 3) { set arrow from x0,py(phi) to x1,py(phi) nohead lt 8 dt 3 }
     set arrow from x0,cs(phi) to x1,cs(phi) nohead lt 8
     if (k == 2 && j == 1) {
-      set label ink(1, "isothermal") at graph 0.95,0.92 right; set label ink(2, "literal") at graph 0.95,0.85 right
-      set label ink(3, "$a_0=1$, then at rest") at graph 0.95,0.78 right
-      set label ink(8, "lines: $g(2^+)$, extrapolated") at graph 0.95,0.71 right
+      set label ink(1, "isothermal") at graph 0.95,0.92 right; set label ink(2, "literal") at graph 0.95,0.83 right
+      set label ink(3, "$a_0=1$, then at rest") at graph 0.95,0.74 right
+      set label ink(8, "lines: $g(2^+)$, extrapolated") at graph 0.95,0.65 right
     }
-    if (k == 2) { set label ink(8, "Carnahan--Starling") at graph 0.03,first cs(phi)*1.06 }
-    if (k == 2 && j < 3) { set label ink(8, "Percus--Yevick") at graph 0.03,first py(phi)*0.94 }
+    if (k == 2) { set label ink(8, "Carnahan--Starling") at graph 0.03,first cs(phi)/1.14 }
+    if (k == 2 && j < 3) { set label ink(8, "Percus--Yevick") at graph 0.03,first py(phi)/1.14 }
     if (k == 1) {
       plot for [g = 0:1] rows("isothermal", 2, phi, g) using 1:bin:err with yerrorbars lt 1 pt (g ? 6 : 7) ps 0.5, \
         for [g = 0:1] rows("literal", 2, phi, g) using 1:bin:err with yerrorbars lt 2 pt (g ? 4 : 5) ps 0.5, \
