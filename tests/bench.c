@@ -890,8 +890,9 @@ static void rsa_seconds(Bench *bench) {
 /* ------------------------------------------------------------ growth */
 /* A pack grown from random points; of two sizes if so many are of the other,
    of this ratio. */
-static Pack *crm_pack(size_t n, size_t other, double ratio, double fraction,
-                      double gamma, uint64_t k, CrmReport *report) {
+static Pack *crm_try(size_t n, size_t other, double ratio, double fraction,
+                     double gamma, uint64_t k, CrmReport *report,
+                     Outcome *out) {
   const double cube[] = {1, 1, 1};
   Species kind[] = {{"A", 1, n - other}, {"B", ratio, other}};
   double solid = (double)(n - other) * pack_ball(3, 1) +
@@ -903,10 +904,17 @@ static Pack *crm_pack(size_t n, size_t other, double ratio, double fraction,
                   .rate = gamma,
                   .fraction = fraction,
                   .points = true};
-  Outcome out = {0};
   for (size_t c = 0; c < 3 * n; c++)
     pack->x[c] = rng_uniform(&rng) * box.side[c % 3];
-  crm_grow(pack, &plan, &rng, report, &out);
+  crm_grow(pack, &plan, &rng, report, out);
+  return pack;
+}
+
+/* One that is known to arrive. */
+static Pack *crm_pack(size_t n, double fraction, double gamma, uint64_t k,
+                      CrmReport *report) {
+  Outcome out = {0};
+  Pack *pack = crm_try(n, 0, 1, fraction, gamma, k, report, &out);
   assert(out.status == DONE);
   return pack;
 }
@@ -934,7 +942,7 @@ static double crm_run(Engine *engine, double collisions) {
   return time;
 }
 
-static const double CRM_PHI = 0.49;
+static const double CRM_PHI = 0.49, CRM_FAST = 0.5;
 enum { CRM_N = 1000, CRM_BLOCKS = 128, CRM_EACH = 8, CRM_CHAINS = 32 };
 
 /* The contact value from the collisions of so long a time. */
@@ -944,28 +952,30 @@ static double crm_contact(const Engine *engine, double virial, double time) {
   return virial / scale / (4 * CRM_PHI);
 }
 
-static const char *const crm_method[] = {"bin", "fit", "rate"};
+static const char *const crm_method[] = {"wide", "thin", "fit", "rate"};
+enum { CRM_METHODS = COUNT(crm_method) };
 
 /* Estimates from the first 1, 2, 4 ... blocks of a run in equilibrium; a block
    ends with a look at the places. */
-static void crm_chain(uint64_t k, double seen[][3]) {
+static void crm_chain(uint64_t k, double seen[][CRM_METHODS]) {
   CrmReport report;
-  Pack *pack = crm_pack(CRM_N, 0, 1, CRM_PHI, 0.3, k, &report);
+  Pack *pack = crm_pack(CRM_N, CRM_PHI, 0.3, k, &report);
   Engine *engine = crm_engine(pack, k);
   crm_run(engine, 100.0 / 2 * CRM_N);
-  double sum[2] = {0, 0}, time = 0;
+  double sum[3] = {0, 0, 0}, time = 0;
   engine->motion->virial = 0;
   for (int b = 1, row = 0; b <= CRM_BLOCKS; b++) {
     time += crm_run(engine, CRM_EACH / 2.0 * CRM_N);
     engine_store(engine, pack);
     double a = pack_largest(pack);
     sum[0] += contact_first_bin(pack, 2 * a, 0.1 * a);
-    sum[1] += contact_value(pack, 2 * a, 2, 0).value;
+    sum[1] += contact_first_bin(pack, 2 * a, 0.01 * a);
+    sum[2] += contact_value(pack, 2 * a, 2, 0).value;
     if ((b & (b - 1)) != 0)
       continue;
-    seen[row][0] = sum[0] / b;
-    seen[row][1] = sum[1] / b;
-    seen[row++][2] = crm_contact(engine, engine->motion->virial, time);
+    for (int m = 0; m < 3; m++)
+      seen[row][m] = sum[m] / b;
+    seen[row++][3] = crm_contact(engine, engine->motion->virial, time);
   }
   engine_free(&engine);
   pack_free(&pack);
@@ -982,18 +992,19 @@ static void crm_bias(const double value[], size_t n, size_t stride,
 
 static void crm_estimators(Bench *bench) {
   enum { ROWS_SEEN = 8 };
-  static double seen[CRM_CHAINS][ROWS_SEEN][3];
+  static double seen[CRM_CHAINS][ROWS_SEEN][CRM_METHODS];
   Table table = begin(bench, "crm-contact.tsv",
                       "The contact value at .49 from one run at rest, percent",
                       "method\tcollisions a particle\tbias\tits "
                       "error\tscatter\tits error\trms");
   for (size_t k = 0; k < CRM_CHAINS; k++)
     crm_chain(k, seen[k]);
-  for (size_t m = 0; m < 3; m++) {
+  for (size_t m = 0; m < CRM_METHODS; m++) {
     double bias, error, scatter = 0, best = 0;
     for (int row = 0; row < ROWS_SEEN; row++) {
       double spent = CRM_EACH * (double)(1 << row);
-      crm_bias(seen[0][row] + m, CRM_CHAINS, ROWS_SEEN * 3, &bias, &error);
+      crm_bias(seen[0][row] + m, CRM_CHAINS, ROWS_SEEN * CRM_METHODS, &bias,
+               &error);
       scatter = error * sqrt(CRM_CHAINS);
       double rms = gsl_hypot(bias, scatter);
       fprintf(table.file, "%s\t%g\t%.3g\t%.2g\t%.3g\t%.2g\t%.3g\n",
@@ -1036,7 +1047,7 @@ static void crm_rests(Bench *bench, const Table *table) {
   CrmReport report;
   double grown = 0;
   for (size_t k = 0; k < CRM_PACKS; k++) {
-    Pack *pack = crm_pack(CRM_N, 0, 1, CRM_PHI, 1, k, &report);
+    Pack *pack = crm_pack(CRM_N, CRM_PHI, CRM_FAST, k, &report);
     Engine *engine = crm_engine(pack, k);
     grown += 2 * (double)report.collisions / CRM_N / CRM_PACKS;
     for (int r = 0; r < CRM_RESTS; r++) {
@@ -1056,8 +1067,8 @@ static void crm_rates(Bench *bench) {
   static const struct {
     double gamma;
     size_t packs;
-  } job[] = {{1, 48},    {0.3, 48},   {0.1, 48}, {0.03, 48},
-             {0.01, 24}, {0.003, 12}, {0.001, 6}};
+  } job[] = {{0.5, 48},  {0.2, 48},  {0.1, 48}, {0.03, 48},
+             {0.01, 24}, {0.003, 8}, {0.001, 4}};
   Table table = begin(bench, "crm-rate.tsv",
                       "The contact value at .49 after growth, percent off",
                       "method\trate, or collisions of rest\tcollisions a "
@@ -1066,7 +1077,7 @@ static void crm_rates(Bench *bench) {
     double value[CRM_PACKS], spent = 0;
     for (size_t k = 0; k < job[j].packs; k++) {
       CrmReport report;
-      Pack *pack = crm_pack(CRM_N, 0, 1, CRM_PHI, job[j].gamma, k, &report);
+      Pack *pack = crm_pack(CRM_N, CRM_PHI, job[j].gamma, k, &report);
       value[k] = crm_fit(pack);
       spent += 2 * (double)report.collisions / CRM_N / (double)job[j].packs;
       pack_free(&pack);
@@ -1076,12 +1087,23 @@ static void crm_rates(Bench *bench) {
   }
   crm_rests(bench, &table);
   end(bench, &table);
+  double row[CRM_PACKS];
+  for (size_t k = 0; k < CRM_PACKS; k++) {
+    CrmReport report;
+    Outcome out = {0};
+    Pack *pack = crm_try(CRM_N, 0, 1, 0.6, 1, k, &report, &out);
+    row[k] = report.fraction;
+    pack_free(&pack);
+  }
+  double mean, error;
+  table_mean(row, CRM_PACKS, 1, 0, &mean, &error);
+  say(bench, mean, error, "crm_jams_at");
 }
 
 /* The same work as many small packs or few large ones. */
 static void crm_sizes(Bench *bench) {
-  enum { ALL = 32000, REST = 64 };
-  static const size_t size[] = {32, 64, 128, 500, 2000, 8000};
+  enum { ALL = 32000, REST = 160, RUN = 64 };
+  static const size_t size[] = {32, 64, 128, 500, 2000};
   Table table = begin(bench, "crm-size.tsv",
                       "The contact value at .49 of as much work in packs of N, "
                       "percent off",
@@ -1091,11 +1113,11 @@ static void crm_sizes(Bench *bench) {
     double *value = memory(2 * packs, sizeof *value), bias, error;
     for (size_t k = 0; k < packs; k++) {
       CrmReport report;
-      Pack *pack = crm_pack(n, 0, 1, CRM_PHI, 0.3, k, &report);
+      Pack *pack = crm_pack(n, CRM_PHI, 0.3, k, &report);
       Engine *engine = crm_engine(pack, k);
       crm_run(engine, REST / 2.0 * (double)n);
       engine->motion->virial = 0;
-      double time = crm_run(engine, REST / 2.0 * (double)n);
+      double time = crm_run(engine, RUN / 2.0 * (double)n);
       value[2 * k] = crm_contact(engine, engine->motion->virial, time);
       engine_store(engine, pack);
       value[2 * k + 1] = crm_fit(pack);
@@ -1103,7 +1125,7 @@ static void crm_sizes(Bench *bench) {
       pack_free(&pack);
     }
     for (size_t m = 0; m < 2; m++) {
-      const char *name = crm_method[2 - m];
+      const char *name = crm_method[3 - m];
       crm_bias(value + m, packs, 2, &bias, &error);
       fprintf(table.file, "%s\t%zu\t%zu\t%.3g\t%.2g\n", name, n, packs, bias,
               error);
@@ -1117,7 +1139,7 @@ static void crm_sizes(Bench *bench) {
 /* Bytes that the engine holds for a particle, lists and all. */
 static void crm_bytes(Bench *bench) {
   CrmReport report;
-  Pack *pack = crm_pack(16000, 0, 1, 0.54, 1, 0, &report);
+  Pack *pack = crm_pack(16000, 0.54, 0.5, 0, &report);
   struct mallinfo2 before = mallinfo2();
   Engine *engine = crm_engine(pack, 0);
   struct mallinfo2 after = mallinfo2();
@@ -1172,7 +1194,9 @@ static void crm_fixed(Bench *bench, const char *label, size_t n, size_t other,
                       double fraction) {
   CrmReport report;
   double gamma = fraction < 0.6 ? 0.5 : 0.05;
-  Pack *pack = crm_pack(n, other, 0.313, fraction, gamma, 0, &report);
+  Outcome out = {0};
+  Pack *pack = crm_try(n, other, 0.313, fraction, gamma, 0, &report, &out);
+  assert(out.status == DONE);
   CrmJob job = {crm_engine(pack, 0), NULL,
                 (double)n * GSL_MAX(1, 32000 / (double)n)};
   crm_run(job.engine, 10 * (double)n);
@@ -1189,7 +1213,7 @@ static void crm_fixed(Bench *bench, const char *label, size_t n, size_t other,
 
 static void crm_growing(void *of) {
   CrmReport report;
-  Pack *pack = crm_pack(*(size_t *)of, 0, 1, 0.6, 0.05, 0, &report);
+  Pack *pack = crm_pack(*(size_t *)of, 0.6, 0.05, 0, &report);
   pack_free(&pack);
 }
 
@@ -1344,6 +1368,7 @@ static void say_row(Bench *bench, const char *method, const Row *r,
   say(bench, rate, rate * spread, "%s_rate", name);
   say(bench, 1 / rate, spread / rate, "%s_each", name);
   say(bench, 1000 * rate, 1000 * rate * spread, "%s_thousands", name);
+  say(bench, r->seconds, r->spread, "%s_seconds", name);
   if (plain && !is_plain(r)) {
     double ratio = plain->seconds / r->seconds;
     double both = gsl_hypot(spread, plain->spread / plain->seconds);
