@@ -14,7 +14,7 @@ set lmargin screen 0.125; set rmargin screen 0.535; set tmargin screen 0.97; set
 set xrange [0:0.51]; set xtics 0.1; set yrange [-3.3:1.7]
 set xlabel "$\\phi$"; set ylabel "$Z/Z_{\\rm Schultz}-1$, per mille" offset 0.8,0
 unset key
-set label 1 ink(2, "Carnahan--Starling") at 0.02,-2.6
+set label 1 ink(2, "Carnahan--Starling") at 0.02,-3.05
 set label 2 ink(4, "Hansen-Goos, KLM") at 0.02,1.35
 low = grid(0.01, 0.49, 0.01)
 permille(r) = 1000*(r - 1)
@@ -27,7 +27,7 @@ set xrange [0.485:0.57]; set xtics 0.02; set yrange [-1:10]
 set ylabel "$Z/Z_{\\rm CS}-1$, per cent" offset 1,0
 high = grid(0.48, 0.57, 0.002); fitted = grid(0.48, 0.55, 0.002)
 unset label
-set label 1 ink(1, "50") at 0.555,7.8 right; set label 2 ink(3, "800") at 0.565,1.2
+set label 1 ink(1, "50") at 0.555,7.8 right; set label 2 ink(3, "800") at 0.557,2.9 right
 set label 3 ink(8, "collisions a particle:") at 0.488,9.3
 set label 4 ink(7, "Schultz") at 0.538,-0.45 right
 percent(r) = 100*(r - 1)

@@ -12,8 +12,8 @@ set multiplot
 set lmargin screen 0.125; set rmargin screen 0.535; set tmargin screen 0.97; set bmargin screen 0.18
 unset key
 set xrange [0:0.066]; set xtics 0.02; set yrange [-25:5]
-set xlabel "$1/N$"; set ylabel "$Z_N/Z_{\\rm Schultz}-1$, per mille" offset 1.4,0
-set label 1 ink(1, "$\\phi=.1$") at 0.048,-17; set label 2 ink(2, "$.3$") at 0.058,-2; set label 3 ink(3, "$.45$") at 0.034,-21
+set xlabel "$1/N$"; set ylabel "$Z_N/Z_{\\rm Schultz}-1$, per mille" offset 1,0
+set label 1 ink(1, "$\\phi=.1$") at 0.041,-18; set label 2 ink(2, "$.3$") at 0.058,-2; set label 3 ink(3, "$.45$") at 0.034,-21
 z1 = Z("schultz", 0.1); z2 = Z("schultz", 0.3); z3 = Z("schultz", 0.45)
 s1 = slope(0.1); s2 = slope(0.3); s3 = slope(0.45)
 plot 0 with lines lt 8, 1000*s1/z1*x with lines lt 1 lw 0.8, 1000*s2/z2*x with lines lt 2 lw 0.8, 1000*s3/z3*x with lines lt 3 lw 0.8, \
@@ -22,7 +22,7 @@ plot 0 with lines lt 8, 1000*s1/z1*x with lines lt 1 lw 0.8, 1000*s2/z2*x with l
   rows(0.45) using (1/$2):(1000*(column("Z")/z3 - 1)):(1000*column("Z_err")/z3) with yerrorbars lt 3 ps 0.6
 set lmargin screen 0.655; set rmargin screen 0.985
 set xrange [0:0.74]; set xtics 0.2; set yrange [-13:5]; set ytics 5
-set xlabel "$\\phi$ (discs)"; set ylabel "$Z/Z_{\\rm Henderson}-1$, per cent" offset 1.4,0
+set xlabel "$\\phi$ (discs)"; set ylabel "$Z/Z_{\\rm Henderson}-1$, per cent" offset 1.1,0
 unset label
 set arrow 1 from 0.7,-13 to 0.7,5 nohead lt 8
 set label 1 ink(8, "freezing") at 0.69,-11.5 right
