@@ -122,7 +122,7 @@ jammed() {
 tell 'fraction = "max" grows points until they are jammed' jammed start=points
 tell 'a pack by rsa too' jammed start=rsa
 isostatic() { # as many contacts in the backbone as degrees of freedom
-  run one iso --set fraction=max --set "$1" --set "species=$2" --set realizations=2 --set make.growth=0.1 \
+  run one iso --set fraction=max --set "$1" --set "species=$2" --set realizations=1 --set make.growth=0.1 \
     --set 'measure={ coordination = { tolerance = 3e-6; }; }' &&
     awk -F'\t' '$1 == "isostatic_excess" { excess = $2; n++ } $1 == "backbone_coordination" { held = $2 }
       END { exit !(n == 1 && excess == 0 && held > 3.5) }' "$tmp/iso/summary.tsv"
