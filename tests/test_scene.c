@@ -165,7 +165,7 @@ static void test_growth(void) {
     return;
   const SceneMake *m = &s->make;
   gsl_test(m->protocol != 1 || m->mass || m->start != START_POINTS, "isothermal, equal masses, from points");
-  gsl_test(m->growth != 0.05 || m->interval != 2 || m->pressure != 0 || m->budget != 1e5 || m->rest, "its numbers");
+  gsl_test(m->growth != 0.05 || m->interval != 2 || m->pressure != 0 || m->budget != 2e5 || m->rest, "its numbers");
   scene_free(&s);
   s = read_text(plain, set, 2, &out);
   gsl_test(!s, "to jamming (%s)", out.text);
