@@ -943,7 +943,7 @@ static double crm_run(Engine *engine, double collisions) {
 }
 
 static const double CRM_PHI = 0.49, CRM_FAST = 0.5;
-enum { CRM_N = 1000, CRM_BLOCKS = 128, CRM_EACH = 8, CRM_CHAINS = 32 };
+enum { CRM_N = 1000, CRM_BLOCKS = 128, CRM_EACH = 8, CRM_CHAINS = 24 };
 
 /* The contact value from the collisions of so long a time. */
 static double crm_contact(const Engine *engine, double virial, double time) {
@@ -1068,7 +1068,7 @@ static void crm_rates(Bench *bench) {
     double gamma;
     size_t packs;
   } job[] = {{0.5, 48},  {0.2, 48},  {0.1, 48}, {0.03, 48},
-             {0.01, 24}, {0.003, 8}, {0.001, 4}};
+             {0.01, 24}, {0.003, 6}, {0.001, 3}};
   Table table = begin(bench, "crm-rate.tsv",
                       "The contact value at .49 after growth, percent off",
                       "method\trate, or collisions of rest\tcollisions a "
