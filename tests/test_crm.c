@@ -136,7 +136,7 @@ static void fails(size_t n, double target, double rate, double most,
                   const char *why, double about, double within) {
   Pack *pack = random_points(3, n, cube, 1, 0, 1, n);
   CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = rate, .fraction = target,
-                  .points = true, .pressure = most, .budget = 3e3};
+                  .points = true, .pressure = most, .budget = 6e3};
   Rng rng = rng_stream(4, 1, RNG_TEST);
   CrmReport report;
   Outcome out = {0};
