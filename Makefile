@@ -196,7 +196,9 @@ $(B)/test/%: tests/test_%.c $(MODULES:%=$(B)/san/%.o) $(REFERENCES) $(wildcard t
 	@$(CC) $(SAN) $(WARNINGS) -I$(B)/c -Itests $(filter %.c %.o,$^) $(LIBS) -o $@
 check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 minutes
 	@tests/run $(UNITS:%=$(B)/test/%) $(sort $(wildcard tests/check-*.sh))
-check-slow: $(B)/bin/randpack ## the long tests, under 45 minutes
+$(B)/slow: tests/slow.c $(OBJECTS)
+	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $^ $(LIBS) -o $@
+check-slow: $(B)/bin/randpack $(B)/slow ## the long tests, under 45 minutes
 	@tests/run $(sort $(wildcard tests/slow-*.sh))
 lint: $(STAMPS) $(B)/c/prints.inc ## form: the web, the warnings, the layout, the prose
 	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)'

@@ -433,6 +433,7 @@ int main(void) {
   fails(2, .69, .01, 0, "jammed", M_PI * sqrt(3) / 8, 1e-6);
   fails(500, .75, .1, 1e6, "jammed", .64, .06);
   fails(300, .70, .001, 0, "budget", .40, .30);
+  fails(32, .70, 3, 1e300, "jammed", .40, .30);
   pressure(.10, 1000, 60);
   pressure(.30, 1000, 60);
   pressure(.45, 1000, 60);
