@@ -596,6 +596,11 @@ static void visits(void) {
 int main(void) {
   closed_forms(6.5);
   closed_forms(65);
+  slow_ones(1e-140, true);
+  slow_ones(1e-161, false);
+  slow_ones(1e-200, false);
+  visits();
+  slips();
   against_reference(3, 32, 0, 1, .50, .1, MOTION_EQUAL, 0, 4000);
   against_reference(3, 32, 0, 1, .54, .03, MOTION_EQUAL, .2, 5000);
   against_reference(2, 32, 0, 1, .70, .1, MOTION_EQUAL, 0, 4000);
@@ -637,13 +642,8 @@ int main(void) {
   same_bytes(2);
   coincident(.1);
   coincident(5);
-  slow_ones(1e-140, true);
-  slow_ones(1e-161, false);
-  slow_ones(1e-200, false);
-  visits();
   in_two_steps();
   heats();
-  slips();
   jams();
   return gsl_test_summary();
 }
