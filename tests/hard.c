@@ -286,11 +286,6 @@ static bool grows(Pack *pack, const CrmPlan *plan, int wanted) {
   return good;
 }
 
-static bool grow_none(void) {
-  CrmPlan plan = gentle(0.1, 0.3);
-  return grows(points(3, square, 0, 0, 1), &plan, WRONG);
-}
-
 static bool grow_one(void) {
   Pack *pack = points(3, square, 1, 0, 1);
   CrmPlan plan = gentle(0.1, 0.6);
@@ -305,10 +300,6 @@ static bool grow_one(void) {
   return status == UNREACHED && off < 1e-12;
 }
 
-static bool grow_two(void) {
-  CrmPlan plan = gentle(0.01, 0.67);
-  return grows(points(3, square, 2, 0, 1), &plan, DONE);
-}
 static bool grow_two_many(void) {
   Pack *pack = points(3, square, 2, 0, 1);
   CrmPlan plan = gentle(0.01, 0.69);
@@ -321,38 +312,6 @@ static bool grow_two_many(void) {
   pack_free(&pack);
   return status == UNREACHED && off < 1e-8;
 }
-static bool grow_three(void) {
-  CrmPlan plan = gentle(0.01, 0.45);
-  return grows(points(3, square, 3, 0, 1), &plan, DONE);
-}
-static bool grow_eight(void) {
-  CrmPlan plan = gentle(0.01, 0.52);
-  return grows(points(3, square, 8, 0, 1), &plan, DONE);
-}
-
-static bool grow_jam(void) {
-  CrmPlan plan = gentle(0.1, 0.75);
-  return grows(points(3, square, 500, 0, 1), &plan, UNREACHED);
-}
-static bool grow_slow(void) {
-  CrmPlan plan = gentle(1e-5, 0.03);
-  plan.budget = 1e7;
-  return grows(points(3, square, 16, 0, 1), &plan, DONE);
-}
-static bool grow_fast(void) {
-  CrmPlan plan = gentle(10, 0.2);
-  return grows(points(3, square, 500, 0, 1), &plan, DONE);
-}
-static bool grow_fast_literal(void) {
-  CrmPlan plan = gentle(1e4, 0.5);
-  plan.protocol = CRM_LITERAL;
-  return grows(points(3, square, 500, 0, 1), &plan, DONE);
-}
-static bool grow_dilute(void) {
-  CrmPlan plan = gentle(0.1, 1e-6);
-  return grows(points(3, square, 500, 0, 1), &plan, DONE);
-}
-
 static bool grow_from_a_point(void) {
   Pack *pack = points(3, square, 60, 0, 1);
   for (size_t c = 3; c < 3 * pack->n; c++)
@@ -361,35 +320,45 @@ static bool grow_from_a_point(void) {
   return grows(pack, &plan, DONE);
 }
 
-static bool grow_narrow(void) {
-  static const double rod[3] = {1, 1, 20};
-  CrmPlan plan = gentle(0.05, 0.4);
-  return grows(points(3, rod, 20, 0, 1), &plan, DONE);
-}
-static bool grow_long(void) {
-  static const double rod[3] = {1, 1, 20};
-  CrmPlan plan = gentle(0.05, 0.55);
-  return grows(points(3, rod, 300, 0, 1), &plan, DONE);
-}
+/* The others: n and n2 points, radii 1 and r2, to a fraction at a rate. */
+static const struct {
+  const char *name;
+  int dim;
+  double length; /* of the box, by its width */
+  size_t n, n2;
+  double r2, rate, fraction;
+  int wanted;
+  CrmProtocol protocol;
+  MotionMass mass;
+  double budget;
+} growths[] = {
+    {"grow-none", 3, 1, 0, 0, 1, 0.1, 0.3, WRONG, CRM_ISOTHERMAL, 0, 0},
+    {"grow-two", 3, 1, 2, 0, 1, 0.01, 0.67, DONE, CRM_ISOTHERMAL, 0, 0},
+    {"grow-three", 3, 1, 3, 0, 1, 0.01, 0.45, DONE, CRM_ISOTHERMAL, 0, 0},
+    {"grow-eight", 3, 1, 8, 0, 1, 0.01, 0.52, DONE, CRM_ISOTHERMAL, 0, 0},
+    {"grow-jam", 3, 1, 500, 0, 1, 0.1, 0.75, UNREACHED, CRM_ISOTHERMAL, 0, 0},
+    {"grow-slow", 3, 1, 16, 0, 1, 1e-5, 0.03, DONE, CRM_ISOTHERMAL, 0, 1e7},
+    {"grow-fast", 3, 1, 500, 0, 1, 10, 0.2, DONE, CRM_ISOTHERMAL, 0, 0},
+    {"grow-fast-literal", 3, 1, 500, 0, 1, 1e4, 0.5, DONE, CRM_LITERAL, 0, 0},
+    {"grow-dilute", 3, 1, 500, 0, 1, 0.1, 1e-6, DONE, CRM_ISOTHERMAL, 0, 0},
+    {"grow-narrow", 3, 20, 20, 0, 1, 0.05, 0.4, DONE, CRM_ISOTHERMAL, 0, 0},
+    {"grow-long", 3, 20, 300, 0, 1, 0.05, 0.55, DONE, CRM_ISOTHERMAL, 0, 0},
+    {"grow-hundred", 3, 1, 2, 1000, 0.01, 0.3, 0.3, DONE, CRM_ISOTHERMAL,
+     MOTION_VOLUME, 0},
+    {"grow-thousand", 3, 1, 2, 1000, 0.001, 0.3, 0.2, DONE, CRM_ISOTHERMAL,
+     MOTION_VOLUME, 0},
+    {"grow-one-among", 3, 1, 1, 10000, 0.05, 1, 0.2, DONE, CRM_ISOTHERMAL, 0, 0},
+    {"grow-dense-discs", 2, 1, 400, 0, 1, 0.01, 0.85, DONE, CRM_ISOTHERMAL, 0, 0},
+};
 
-static bool grow_hundred(void) {
-  CrmPlan plan = gentle(0.3, 0.3);
-  plan.mass = MOTION_VOLUME;
-  return grows(points(3, square, 2, 1000, 0.01), &plan, DONE);
-}
-static bool grow_thousand(void) {
-  CrmPlan plan = gentle(0.3, 0.2);
-  plan.mass = MOTION_VOLUME;
-  return grows(points(3, square, 2, 1000, 0.001), &plan, DONE);
-}
-static bool grow_one_among(void) {
-  CrmPlan plan = gentle(1, 0.2);
-  return grows(points(3, square, 1, 10000, 0.05), &plan, DONE);
-}
-
-static bool grow_dense_discs(void) {
-  CrmPlan plan = gentle(0.01, 0.85);
-  return grows(points(2, square, 400, 0, 1), &plan, DONE);
+static bool grow_of_table(size_t g) {
+  const double ratio[3] = {1, 1, growths[g].length};
+  CrmPlan plan = gentle(growths[g].rate, growths[g].fraction);
+  plan.protocol = growths[g].protocol;
+  plan.mass = growths[g].mass;
+  plan.budget = growths[g].budget;
+  return grows(points(growths[g].dim, ratio, growths[g].n, growths[g].n2,
+                      growths[g].r2), &plan, growths[g].wanted);
 }
 
 /* Radii 1 to 4 with a density as r^-3: a radius for each particle. */
@@ -443,24 +412,9 @@ static const struct {
   const char *name;
   bool (*run)(void);
 } cases[] = {
-    {"grow-none", grow_none},
     {"grow-one", grow_one},
-    {"grow-two", grow_two},
     {"grow-two-many", grow_two_many},
-    {"grow-three", grow_three},
-    {"grow-eight", grow_eight},
-    {"grow-jam", grow_jam},
-    {"grow-slow", grow_slow},
-    {"grow-fast", grow_fast},
-    {"grow-fast-literal", grow_fast_literal},
-    {"grow-dilute", grow_dilute},
     {"grow-from-a-point", grow_from_a_point},
-    {"grow-narrow", grow_narrow},
-    {"grow-long", grow_long},
-    {"grow-hundred", grow_hundred},
-    {"grow-thousand", grow_thousand},
-    {"grow-one-among", grow_one_among},
-    {"grow-dense-discs", grow_dense_discs},
     {"grow-continuous", grow_continuous},
     {"touching", touching},
     {"touching-full", touching_full},
@@ -476,6 +430,9 @@ static const struct {
 };
 
 int main(int count, char *words[]) {
+  for (size_t g = 0; count == 2 && g < sizeof growths / sizeof *growths; g++)
+    if (strcmp(words[1], growths[g].name) == 0)
+      return !grow_of_table(g);
   for (size_t c = 0; count == 2 && c < sizeof cases / sizeof *cases; c++)
     if (strcmp(words[1], cases[c].name) == 0)
       return !cases[c].run();

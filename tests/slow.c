@@ -89,13 +89,14 @@ static void grown(CrmProtocol protocol, double rate) {
   Outcome out = {0};
   int status = crm_grow(pack, &plan, &rng, &report, &out);
   gsl_test(status || report.collisions < 100000000 ||
-               report.unaccounted > 1e-12 || report.drift > 1e-12 ||
-               pack_audit(pack) < -2e-12 ||
+               report.unaccounted > 1e-12 || report.slip > 1e-11 ||
+               report.drift > 1e-12 || pack_audit(pack) < -2e-12 ||
                fabs(pack_fraction(pack) - .49) >= 1e-14,
-           "%s growth, %.3g collisions: energy %.1e, momentum %.1e, gap %.1e %s",
+           "%s growth, %.3g collisions: energy %.1e beyond a slip of %.1e, "
+           "momentum %.1e, gap %.1e %s",
            protocol == CRM_LITERAL ? "literal" : "isothermal",
-           (double)report.collisions, report.unaccounted, report.drift,
-           pack_audit(pack) / 2, out.text);
+           (double)report.collisions, report.unaccounted, report.slip,
+           report.drift, pack_audit(pack) / 2, out.text);
   pack_free(&pack);
 }
 
