@@ -171,7 +171,7 @@ static void against_all_pairs(const char *what, const Pack *start, double R,
                               int sweeps) {
   for (int rule = 0; rule < 4; rule++) {
     Pack *pack = copy(start);
-    ShakePlan plan = {(ShakeRule)rule, R, 20, false};
+    ShakePlan plan = {(ShakeRule)rule, R, 8, false};
     ShakeReport report = {0};
     Outcome out = {0};
     Shake *shake = shake_alloc(pack, &plan, &out);
@@ -207,12 +207,12 @@ static void no_overlap(const char *what, const Pack *start, double R,
                        uint64_t sweeps, bool adapt, bool moves) {
   for (int rule = 0; rule < 4; rule++) {
     Pack *pack = copy(start);
-    ShakePlan plan = {(ShakeRule)rule, R, 10, adapt};
+    ShakePlan plan = {(ShakeRule)rule, R, 5, adapt};
     ShakeReport report = {0};
     Outcome out = {0};
     Rng rng = rng_stream(6, 0, RNG_TEST);
     Shake *shake = shake_alloc(pack, &plan, &out);
-    shake_sweeps(shake, sweeps, &rng, &report);
+    shake_sweeps(shake, rule < 3 ? sweeps : sweeps / 4 + 1, &rng, &report);
     shake_store(shake, pack);
     double gap = pack_audit(pack) / (2 * pack_largest(pack));
     bool in = true;
