@@ -229,7 +229,7 @@ static void no_overlap(const char *what, const Pack *start, double R,
 
 /* ------------------------------------------------------------ acceptance */
 static void acceptance(const char *what, const Pack *start, double R) {
-  enum { SHOTS = 60, POINTS = 10 };
+  enum { SHOTS = 25, POINTS = 10 };
   Pack *pack = copy(start);
   ShakePlan plan = {SHAKE_METROPOLIS, R, 0, false};
   ShakeReport report = {0}, warm = {0};
@@ -419,21 +419,22 @@ static void on_a_line(int tries) {
 
 /* ------------------------------------------------------------ edges */
 static void same_bytes(int dim) {
+  Pack *start = grown(dim, 300, 1, 100, .4, cube, dim == 2 ? .65 : .5, false);
   static const char *const simd[] = {"default", "avx2", "avx512f"};
   for (int rule = 0; rule < 4; rule++) {
     Pack *first = NULL;
     bool same = true;
     for (int v = 0; v < 3; v++) {
       setenv("RANDPACK_SIMD", simd[v], 1);
-      Pack *pack = grown(dim, 300, 1, 100, .4, cube, dim == 2 ? .65 : .5, false);
+      Pack *pack = copy(start);
       ShakePlan plan = {(ShakeRule)rule, .1, 5, rule == 2};
       ShakeReport report = {0};
       Outcome out = {0};
       Rng rng = rng_stream(12, 0, RNG_TEST);
       Shake *shake = shake_alloc(pack, &plan, &out);
-      shake_sweeps(shake, v == 0 ? 20 : 7, &rng, &report);
+      shake_sweeps(shake, v == 0 ? 10 : 4, &rng, &report);
       if (v > 0)
-        shake_sweeps(shake, 13, &rng, &report);
+        shake_sweeps(shake, 6, &rng, &report);
       shake_store(shake, pack);
       shake_free(&shake);
       if (first)
@@ -449,6 +450,7 @@ static void same_bytes(int dim) {
              dim, rule_name[rule]);
     pack_free(&first);
   }
+  pack_free(&start);
 }
 
 /* So dilute that nobody meets: the mean square is that of a walk. */
