@@ -543,8 +543,28 @@ static void crystal(void) {
   pack = fcc(3, M_PI / sqrt(18) * (1 - 1e-13));
   no_overlap("touching fcc", pack, 1e-3, 50, false, false);
   pack_free(&pack);
+  pack = fcc(2, M_PI / sqrt(18) * (1 + 1e-10));
+  against_all_pairs("fcc that overlaps", pack, .01, 2);
+  pack_free(&pack);
   pack = fcc(3, M_PI / sqrt(18) * (1 + 1e-12));
   no_overlap("fcc that overlaps by 1e-13", pack, 1e-3, 50, false, false);
+  pack_free(&pack);
+}
+
+/* Nobody is shaken, and nothing happens. */
+static void nobody(void) {
+  Pack *pack = empty(3, 1, 1, 0, 0, cube, .3, false);
+  pack->n = pack->species[0].count = 0;
+  ShakePlan plan = {SHAKE_METROPOLIS, .1, 1, true};
+  ShakeReport report = {0};
+  Outcome out = {0};
+  Rng rng = rng_stream(1, 0, RNG_TEST);
+  Shake *shake = shake_alloc(pack, &plan, &out);
+  shake_sweeps(shake, 3, &rng, &report);
+  shake_store(shake, pack);
+  gsl_test(report.turns || shake_wandered(shake) != 0, "no particles");
+  shake_free(&shake);
+  shake_free(&shake);
   pack_free(&pack);
 }
 
@@ -615,6 +635,10 @@ int main(void) {
   no_overlap("ratio 10", pack, .1, 40, false, true);
   acceptance("ratio 10", pack, .5);
   pack_free(&pack);
+  pack = grown(2, 20, 1, 300, .2, cube, .60, false);
+  against_all_pairs("ratio 5, discs", pack, .3, 1);
+  no_overlap("ratio 5, discs", pack, .3, 40, false, true);
+  pack_free(&pack);
   pack = grown(2, 60, 1, 60, .5, cube, .60, true);
   against_all_pairs("own radii", pack, .1, 2);
   no_overlap("own radii", pack, .1, 80, true, true);
@@ -652,5 +676,6 @@ int main(void) {
   alone(3, 77);
   crystal();
   refuses();
+  nobody();
   return gsl_test_summary();
 }
