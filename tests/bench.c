@@ -18,6 +18,7 @@
 #include "ref_py.h"
 #include "ref_rsa.h"
 #include "rsa.h"
+#include "shake.h"
 #include "simd.h"
 #include "table.h"
 #include "theory.h"
@@ -1231,6 +1232,175 @@ static void crm_seconds(Bench *bench) {
   }
 }
 
+/* ------------------------------------------------------------ shakes */
+/* Metropolis' rule as a textbook has it: cells as wide as a diameter and the
+   window, and in each a linked list. */
+enum { PLAIN_MOST = 64 };
+typedef struct {
+  size_t n, m, head[PLAIN_MOST * PLAIN_MOST * PLAIN_MOST], *next, *cell;
+  double side, window, *x;
+  Rng rng;
+} PlainShake;
+
+static size_t plain_cell(const PlainShake *plain, const double x[3]) {
+  size_t cell = 0;
+  for (int k = 0; k < 3; k++)
+    cell = cell * plain->m +
+           (size_t)(x[k] / plain->side * (double)plain->m) % plain->m;
+  return cell;
+}
+
+static void plain_enter(PlainShake *plain, size_t i) {
+  size_t c = plain->cell[i] = plain_cell(plain, plain->x + 3 * i);
+  plain->next[i] = plain->head[c];
+  plain->head[c] = i;
+}
+
+static void plain_leave(PlainShake *plain, size_t i) {
+  size_t *at = &plain->head[plain->cell[i]];
+  while (*at != i)
+    at = &plain->next[*at];
+  *at = plain->next[i];
+}
+
+static PlainShake *plain_shake(const Pack *pack, double radius) {
+  PlainShake *plain = memory(1, sizeof *plain);
+  plain->n = pack->n;
+  plain->side = pack->box.side[0];
+  plain->window = radius;
+  plain->m = (size_t)GSL_MIN(plain->side / 2, PLAIN_MOST);
+  plain->next = memory(pack->n, sizeof *plain->next);
+  plain->cell = memory(pack->n, sizeof *plain->cell);
+  plain->x = memory(3 * pack->n, sizeof *plain->x);
+  memcpy(plain->x, pack->x, 3 * pack->n * sizeof *plain->x);
+  plain->rng = rng_stream(SEED, 0, RNG_TEST);
+  for (size_t c = 0; c < COUNT(plain->head); c++)
+    plain->head[c] = SIZE_MAX;
+  for (size_t i = 0; i < pack->n; i++)
+    plain_enter(plain, i);
+  return plain;
+}
+
+static bool plain_free(const PlainShake *plain, size_t i, const double y[3]) {
+  size_t c = plain_cell(plain, y), m = plain->m;
+  size_t at[3] = {c / (m * m), c / m % m, c % m};
+  for (int s = 0; s < 27; s++) {
+    size_t a = (at[0] + (size_t)(s / 9) + m - 1) % m,
+           b = (at[1] + (size_t)(s / 3 % 3) + m - 1) % m,
+           d = (at[2] + (size_t)(s % 3) + m - 1) % m;
+    for (size_t j = plain->head[(a * m + b) * m + d]; j != SIZE_MAX;
+         j = plain->next[j]) {
+      double square = 0;
+      for (int k = 0; k < 3; k++)
+        square += gsl_pow_2(
+            box_nearest(plain->x[3 * j + (size_t)k] - y[k], plain->side));
+      if (square < 4 && j != i)
+        return false;
+    }
+  }
+  return true;
+}
+
+static void plain_sweep(PlainShake *plain) {
+  for (size_t i = 0; i < plain->n; i++) {
+    double p[3], y[3];
+    do
+      for (int k = 0; k < 3; k++)
+        p[k] = 2 * rng_uniform(&plain->rng) - 1;
+    while (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] > 1);
+    for (int k = 0; k < 3; k++)
+      y[k] = box_wrap(plain->x[3 * i + (size_t)k] + plain->window * p[k],
+                      plain->side);
+    if (!plain_free(plain, i, y))
+      continue;
+    plain_leave(plain, i);
+    memcpy(plain->x + 3 * i, y, sizeof y);
+    plain_enter(plain, i);
+  }
+}
+
+typedef struct {
+  Shake *shake;
+  PlainShake *plain;
+  uint64_t sweeps;
+  Rng rng;
+  ShakeReport report;
+} ShakeJob;
+
+static void shake_ours(void *of) {
+  ShakeJob *job = of;
+  shake_sweeps(job->shake, job->sweeps, &job->rng, &job->report);
+}
+
+static void shake_plain(void *of) {
+  ShakeJob *job = of;
+  for (uint64_t s = 0; s < job->sweeps; s++)
+    plain_sweep(job->plain);
+}
+
+static const struct {
+  const char *name;
+  ShakePlan plan;
+} shakes[] = {{"metropolis", {SHAKE_METROPOLIS, .02, 1, false}},
+              {"retry", {SHAKE_RETRY, .02, 150, false}},
+              {"collision", {SHAKE_COLLISION, .02, 1, false}},
+              {"longest", {SHAKE_COLLISION_LONGEST, .02, 150, false}},
+              {"wide-window", {SHAKE_METROPOLIS, .1, 1, false}}};
+
+static ShakeJob shake_job(const Pack *pack, const ShakePlan *plan) {
+  Outcome out = {0};
+  ShakeJob job = {.shake = shake_alloc(pack, plan, &out),
+                  .sweeps = 1,
+                  .rng = rng_stream(SEED, 0, RNG_TEST)};
+  shake_sweeps(job.shake, 10, &job.rng, &job.report);
+  job.report = (ShakeReport){0};
+  return job;
+}
+
+/* What a turn costs in trials, and how many of those succeed. */
+static void shake_operations(Bench *bench) {
+  CrmReport grown;
+  Pack *pack = crm_pack(2000, 0.575, 0.05, 0, &grown);
+  for (size_t s = 0; s < COUNT(shakes); s++) {
+    ShakeJob job = shake_job(pack, &shakes[s].plan);
+    job.sweeps = 5;
+    shake_ours(&job);
+    double trials = (double)job.report.trials;
+    say(bench, trials / (double)job.report.turns, 0, "shake_%s_trials",
+        shakes[s].name);
+    say(bench, (double)job.report.moved / trials, 0, "shake_%s_accepted",
+        shakes[s].name);
+    shake_free(&job.shake);
+  }
+  pack_free(&pack);
+}
+
+/* A row's work is one particle's turn. */
+static void shake_case(Bench *bench, size_t n, size_t s) {
+  CrmReport grown;
+  Pack *pack = crm_pack(n, 0.575, 0.05, 0, &grown);
+  ShakeJob job = shake_job(pack, &shakes[s].plan);
+  bool metropolis = shakes[s].plan.rule == SHAKE_METROPOLIS;
+  job.plain = metropolis ? plain_shake(pack, shakes[s].plan.radius) : NULL;
+  const Case cases[] = {{"ours", shake_ours, &job, GSL_NAN},
+                        {"plain_cells", shake_plain, &job, GSL_NAN}};
+  measure(bench, shakes[s].name, (double)n, (double)n, cases, metropolis ? 2 : 1);
+  if (job.plain) {
+    free(job.plain->next);
+    free(job.plain->cell);
+    free(job.plain->x);
+    free(job.plain);
+  }
+  shake_free(&job.shake);
+  pack_free(&pack);
+}
+
+static void shake_seconds(Bench *bench) {
+  for (size_t s = 0; s < COUNT(shakes); s++)
+    shake_case(bench, 2000, s);
+  shake_case(bench, 16000, 0);
+}
+
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
   const char *name;
@@ -1257,7 +1427,11 @@ static const Task tasks[] = {
      {"crm", "engine", "motion", "near", "events", "contact", "pairs", "box",
       "rng", "simd", "flags"},
      crm_operations,
-     crm_seconds}};
+     crm_seconds},
+    {"shake",
+     {"shake", "near", "crm", "engine", "motion", "box", "rng", "simd", "flags"},
+     shake_operations,
+     shake_seconds}};
 
 static void operations(Bench *bench) {
   char print[COUNT(tasks)][17];
