@@ -436,7 +436,47 @@ static void test_range(void) {
   gsl_rng_free(rng);
 }
 
+/* A parabola is found exactly, on whatever side of a bin its vertex lies; a
+   smooth peak without bias under noise, where the highest bin has some. */
+static void test_extrema(void) {
+  enum { BINS = 200, REPEATS = 400 };
+  double R[BINS], g[BINS], place = 0, height = 0, highest = 0, square = 0;
+  for (int b = 0; b < BINS; b++)
+    R[b] = 2.005 + 0.01 * b;
+  for (int sign = -1; sign <= 1; sign += 2)
+    for (double top = 3.201; top < 3.3; top += 0.0173) {
+      for (int b = 0; b < BINS; b++)
+        g[b] = 1.37 - sign * 2.9 * gsl_pow_2(R[b] - top);
+      PairsExtremum e = pairs_extremum(BINS, R, g, 3.1, 3.4, sign);
+      gsl_test_abs(e.R, top, 1e-10, "the vertex at %.4f", top);
+      gsl_test_abs(e.g, 1.37, 1e-12, "its height");
+    }
+  PairsExtremum side = pairs_extremum(BINS, R, g, 2.5, 3.0, 1);
+  gsl_test_abs(side.R, 2.995, 0.006, "on a slope: the end of the interval");
+  gsl_test(!gsl_isnan(pairs_extremum(BINS, R, g, 2, 2.01, 1).R),
+           "no bin with a parabola");
+  gsl_rng *rng = rng_gsl_alloc(rng_stream(3, 5, RNG_TEST));
+  for (int k = 0; k < REPEATS; k++) {
+    double top = -1;
+    for (int b = 0; b < BINS; b++) {
+      double d = R[b] - 3.2371;
+      g[b] = 1 + 0.5 * exp(-20 * d * d) + gsl_ran_gaussian(rng, 0.05);
+      top = fmax(top, g[b]);
+    }
+    PairsExtremum e = pairs_extremum(BINS, R, g, 3.1, 3.4, 1);
+    place += e.R / REPEATS, square += e.R * e.R / REPEATS;
+    height += e.g / REPEATS, highest += top / REPEATS;
+  }
+  double se = sqrt((square - place * place) / REPEATS);
+  gsl_test(fabs(place - 3.2371) > 3 * se + 1e-3, "the place %.4f(%.4f)", place,
+           se);
+  gsl_test(fabs(height - 1.5) > 0.03, "the height %.4f", height);
+  gsl_test(highest < 1.56, "the highest bin is too high: %.4f", highest);
+  gsl_rng_free(rng);
+}
+
 int main(void) {
+  test_extrema();
   test_exact();
   test_corners();
   test_edges();

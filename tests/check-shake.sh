@@ -1,0 +1,78 @@
+#!/bin/bash
+# tests/check-shake.sh: shaking as a scene asks for it: before, after, on the way, sampled, and in families.
+. tests/tell.sh
+shopt -s nullglob
+say() { printf '%s\n' "$2" > "$tmp/$1.scene"; }            # say NAME TEXT
+run() { ends 0 "$randpack" run "$tmp/$1.scene" --out "$tmp/$2" "${@:3}"; } # run SCENE DIR SETTING...
+say one 'dimension = 3; realizations = 4; seed = 3; species = ( { name = "A"; radius = 0.5; number = 300; } ); fraction = 0.55;
+make = { method = "crm"; growth = 0.2; }; shake = { radius = 0.05; sweeps = 20; marks = [1, 5, 20]; };
+measure = { rdf = { reach = 4.5; step = 0.05; peaks = [3.2, 4.3]; gaps = [2.5, 3.2]; }; contact = {}; order = {}; histogram = {}; };
+save = true;'
+say plain "$(sed 's/shake = {[^}]*};//' "$tmp/one.scene")"
+
+# --- before and after
+stages() {
+  run one one && run plain plain && cmp -s "$tmp"/one/made.pack-0.xyz "$tmp"/plain/pack-0.xyz &&
+    ! cmp -s "$tmp"/one/pack-0.xyz "$tmp"/plain/pack-0.xyz || return 1
+  for q in contact contact_first_bin Q6 min_gap peak1_R peak1_g gap1_g range window_variance; do
+    [ "$(value "made.$q" "$tmp/one")" = "$(value $q "$tmp/plain")" ] && [ -n "$(value "shaken.$q" "$tmp/one")" ] ||
+      { echo "$q before is not what it is without shaking"; return 1; }
+  done
+}
+tell 'before shaking is what it is without' stages
+tables() { grep -v '^#' "$tmp/one/made.rdf.tsv" > "$tmp/a"; grep -v '^#' "$tmp/plain/rdf.tsv" > "$tmp/b"; cmp -s "$tmp/a" "$tmp/b" &&
+  [ "$(grep -vc '^#' "$tmp/one/shaken.rdf.tsv")" = "$(wc -l < "$tmp/b")" ]; }
+tell 'and so are the tables' tables
+work() { [ "$(value sweeps "$tmp/one")" = 20 ] && [ "$(value shake_trials "$tmp/one")" = 6000 ] &&
+  awk -v a="$(value acceptance "$tmp/one")" 'BEGIN { exit !(a > 0.2 && a < 0.9) }'; }
+tell 'sweeps and trials are counted, the acceptance is a share' work
+changes() { awk -F'\t' '{ v[$1] = $2 } END { r = v["shaken.contact_first_bin"] / v["made.contact_first_bin"] - 1 - v["change.contact_first_bin"]
+    exit !(r * r < 1e-20 && v["min_gap"] <= v["made.min_gap"] && v["min_gap"] > -1e-12) }' "$tmp/one/summary.tsv"; }
+tell 'the change is a ratio less one' changes
+marks() { awk -F'\t' '/^#/ { next } !h++ { for (i = 1; i <= NF; i++) c[$i] = i; next }
+    { m[n + 0] = $1; w[n + 0] = $c["wandered"]; n++ }
+    END { exit !(m[0] == 0 && m[1] == 1 && m[2] == 5 && m[3] == 20 && w[0] == 0 && w[1] > 0 && w[3] > w[2] && w[2] > w[1]) }' \
+    "$tmp/one/shaking.tsv" && [ "$(value contact_first_bin_0 "$tmp/one")" = "$(value made.contact_first_bin "$tmp/one")" ] &&
+    [ "$(value contact_first_bin_20 "$tmp/one")" = "$(value shaken.contact_first_bin "$tmp/one")" ]; }
+tell 'the marks begin before and end after' marks
+none() { sed 's/sweeps = 20; marks = [^;]*;/sweeps = 0;/' "$tmp/one.scene" > "$tmp/none.scene"
+  run none none && cmp -s "$tmp"/none/{made.,}pack-0.xyz && [ "$(value change.contact "$tmp/none")" = 0 ]; }
+tell 'no sweep changes nothing' none
+
+# --- rules and samples
+for rule in retry collision collision-longest chain newton dynamics; do
+  other() { run one "$rule" --set shake.rule=$rule --set shake.tries=4 && ! cmp -s "$tmp/$rule/pack-0.xyz" "$tmp/one/pack-0.xyz" &&
+    cmp -s "$tmp/$rule/made.pack-0.xyz" "$tmp/one/made.pack-0.xyz" &&
+    awk -v g="$(value min_gap "$tmp/$rule")" 'BEGIN { exit !(g > -1e-12) }'; }
+  tell "$rule is another way from the same pack, without overlap" other
+done
+sampled() { run one sampled --set shake.rule=$1 --set shake.samples=5 --set shake.apart=3 &&
+  [ "$(value shaken.contact "$tmp/sampled")" != "$(value shaken.contact "$tmp/$1")" ] || return 1
+  [ "$2" = no ] || awk -v z="$(value shaken.contact_collision "$tmp/sampled")" -v g="$(value shaken.contact "$tmp/sampled")" \
+    'BEGIN { exit !(z > 0.8 * g && z < 1.25 * g) }'; }
+tell 'samples are averaged' sampled retry no
+tell 'chains tell the pressure' sampled chain yes
+tell 'dynamics tells the pressure' sampled dynamics yes
+
+# --- on the way
+way() { sed 's/sweeps = 20; marks = [^;]*;/sweeps = 0; every = 2.0; each = 3;/' \
+    "$tmp/one.scene" > "$tmp/way.scene"
+  run way way && ! cmp -s "$tmp"/way/pack-0.xyz "$tmp"/plain/pack-0.xyz &&
+    awk -v s="$(value sweeps "$tmp/way")" 'BEGIN { exit !(s > 20) }' &&
+    awk -v g="$(value min_gap "$tmp/way")" -v f="$(value fraction "$tmp/way")" 'BEGIN { exit !(g > -1e-12 && (f - 0.55) ^ 2 < 1e-26) }'; }
+tell 'shakes on the way, and the fraction is met' way
+
+# --- families
+say family "$(sed 's/save = true;/sweep = ( { key = "shake.rule"; values = ("metropolis", "retry"); }, { key = "fraction"; values = [0.5, 0.55]; } );/
+  s/marks = [^;]*;//' "$tmp/one.scene")"
+family() {
+  run family family && run one alone --set fraction=0.5 --set shake.rule=retry --set 'measure.histogram={}' || return 1
+  for q in made.contact shaken.contact collisions change.peak1_g; do
+    [ "$(value "$q@retry@0.5" "$tmp/family")" = "$(value $q "$tmp/alone")" ] || { echo "$q differs in a family"; return 1; }
+  done
+}
+tell 'a pack that serves a family is the pack of its scene' family
+planned() { ends 0 "$randpack" plan "$tmp/one.scene" && grep -q '^shake.metropolis R_sh=0.05, 20 after' "$tmp/out" || return 1
+  for file in $(sed -n 's/^write.//p' "$tmp/out" | tr ' ' '\n' | grep tsv); do [ -e "$tmp/one/$file" ] || { echo "no $file"; return 1; }; done; }
+tell 'the plan tells the rule and the tables' planned
+exit $failed
