@@ -64,7 +64,7 @@ static void pressure(double phi, size_t n, int blocks) {
 /* The derivative of k = phi chi, of this order, at phi; and the coefficient of
    N^-2 in Z_N: chapter crm. */
 static double k_of(double phi, int order) {
-  const double h = 4e-3;
+  const double h = phi / 50;
   if (order > 0)
     return (k_of(phi + h, order - 1) - k_of(phi - h, order - 1)) / (2 * h);
   return phi * 2 * h /
@@ -76,7 +76,7 @@ static double bracket(double phi) {
   return phi * (k_of(phi, 2) / 8 - k1 * k1 / (12 * k_of(phi, 0)));
 }
 static double second(double phi) {
-  const double h = 4e-3;
+  const double h = phi / 50;
   return -phi * (bracket(phi + h) - bracket(phi - h)) / (2 * h);
 }
 
