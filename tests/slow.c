@@ -1,6 +1,7 @@
 /* The long tests of growth: `slow NAME`; tests/slow-crm.sh runs them all. */
 #include "crm.h"
 #include "order.h"
+#include "py.h"
 #include "theory.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
@@ -58,6 +59,80 @@ static void pressure(double phi, size_t n, int blocks) {
            "phi=%g N=%zu: without 1/N off by %.1f se, and that shows", phi, n,
            (report.Z - plain) / report.Z_error);
   pack_free(&pack);
+}
+
+/* The derivative of k = phi chi, of this order, at phi; and the coefficient of
+   N^-2 in Z_N: chapter crm. */
+static double k_of(double phi, int order) {
+  const double h = phi / 50;
+  if (order > 0)
+    return (k_of(phi + h, order - 1) - k_of(phi - h, order - 1)) / (2 * h);
+  return phi * 2 * h /
+         ((phi + h) * theory_pressure(THEORY_SCHULTZ, phi + h) -
+          (phi - h) * theory_pressure(THEORY_SCHULTZ, phi - h));
+}
+static double bracket(double phi) {
+  double k1 = k_of(phi, 1);
+  return phi * (k_of(phi, 2) / 8 - k1 * k1 / (12 * k_of(phi, 0)));
+}
+static double second(double phi) {
+  const double h = phi / 50;
+  return -phi * (bracket(phi + h) - bracket(phi - h)) / (2 * h);
+}
+
+/* 2e7 collisions of n in a box of sides 1, 1, length. */
+static CrmReport in_box(double phi, size_t n, double length) {
+  double ratio[3] = {1, 1, length};
+  Box box = box_make(3, ratio, 731.5);
+  Species species = {.name = "A", .radius = 1, .count = n};
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  Rng rng = rng_stream(3, 7, RNG_TEST);
+  for (size_t c = 0; c < 3 * n; c++)
+    pack->x[c] = rng_uniform(&rng) * box.side[c % 3];
+  CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = .05, .fraction = phi,
+                  .points = true};
+  CrmReport report = {.Z = GSL_NAN};
+  Outcome out = {0};
+  if (!crm_grow(pack, &plan, &rng, NULL, &out))
+    crm_equilibrate(pack, MOTION_EQUAL, 1000, (int)(40000 / n), 1000, &rng,
+                    &report, &out);
+  pack_free(&pack);
+  return report;
+}
+
+/* What is left of Z_N beyond 1/N is no power of N: it has the sign of the slope
+   of g where a particle's own image is, and in a longer box it is another. */
+static void images(double phi) {
+  static const double number[] = {24, 32, 48, 64};
+  double left[4], error[4], top = 0, bottom = 0, chi = 0;
+  CrmReport at32 = {0};
+  Py *py = py_alloc(phi);
+  for (int k = 0; k < 4; k++) {
+    double n = number[k], side = cbrt(n * 4 * M_PI / (3 * phi)), h = 1e-3;
+    double slope = (py_g(py, side + h) - py_g(py, side - h)) / (2 * h);
+    CrmReport report = in_box(phi, (size_t)n, 1);
+    at32 = k == 1 ? report : at32;
+    left[k] = report.Z - of_few(phi, n);
+    error[k] = report.Z_error;
+    gsl_test(!(left[k] * slope > 0) || fabs(left[k]) < 3 * error[k] ||
+                 fabs(second(phi)) / (n * n) > .5 * error[k],
+             "phi=%g N=%g: %.5f +- %.5f beyond 1/N (the next order %.5f); g' at "
+             "the image %.1e", phi, n, left[k], error[k], second(phi) / (n * n),
+             slope);
+    top += left[k] / (n * n * error[k] * error[k]);
+    bottom += 1 / (n * n * n * n * error[k] * error[k]);
+  }
+  for (int k = 0; k < 4; k++)
+    chi += gsl_pow_2((left[k] - top / bottom / gsl_pow_2(number[k])) / error[k]);
+  gsl_test(chi < 100, "no multiple of N^-2 fits: the best, %.3g, has chi^2 %.0f",
+           top / bottom, chi);
+  CrmReport rod = in_box(phi, 32, 2);
+  double apart = (rod.Z - at32.Z) / hypot(rod.Z_error, at32.Z_error);
+  gsl_test(!(fabs(apart) > 5), "N=32 in a box twice as long: Z=%.5f, %.5f in a "
+           "cube, %.1f se", rod.Z, at32.Z, apart);
+  gsl_test(fabs(second(.01) / (-12 * 1e-4) - 1) > .2,
+           "N^-2 at low density: %.3g phi^2 of -12", second(.01) / 1e-4);
+  py_free(&py);
 }
 
 /* A hundred million collisions leave the accounts as they were. */
@@ -133,6 +208,8 @@ int main(int count, char *words[]) {
     pressure(.49, 1000, 100);
     pressure(.30, 200, 150);
     pressure(.10, 64, 400);
+  } else if (!strcmp(name, "images")) {
+    images(.30);
   } else if (!strcmp(name, "accounts")) {
     constant();
     grown(CRM_LITERAL, 1.8e-5);
