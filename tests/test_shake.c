@@ -670,6 +670,7 @@ int main(void) {
   ideal(3, 500, .1, false);
   ideal(3, 500, 1000, true);
   ideal(2, 300, 1e5, true);
+  ideal(2, 300, 1e14, true);
   ideal(2, 5, 1, false);
   alone(2, .5);
   alone(3, 1e-12);
