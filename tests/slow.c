@@ -1,4 +1,6 @@
-/* The long tests of growth: `slow NAME`; tests/slow-crm.sh runs them all. */
+/* The long tests of growth and of chains: `slow NAME`; tests/slow-*.sh run them
+   all. */
+#include "chain.h"
 #include "crm.h"
 #include "order.h"
 #include "py.h"
@@ -199,6 +201,37 @@ static void isostatic(int dim, size_t n, size_t n2, double ratio, uint64_t seed,
   pack_free(&pack);
 }
 
+/* Ten million lifts: no overlap beyond rounding, also near jamming. Where the
+   fluid is in equilibrium, Z of so few within four standard errors. */
+static void chains(int dim, size_t n, size_t n2, double ratio, double phi,
+                   ChainRule rule, bool fluid) {
+  Pack *pack = points(dim, n, n2, ratio, 17);
+  CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = .01, .fraction = phi,
+                  .points = true};
+  Rng rng = rng_stream(17, 10, RNG_TEST);
+  Outcome out = {0};
+  crm_grow(pack, &plan, &rng, NULL, &out);
+  ChainPlan straight = {.rule = rule};
+  ChainReport report = {0};
+  Chain *chain = chain_alloc(pack, &straight, &out);
+  chain_run(chain, 3000000, &rng, &report);
+  memset(&report, 0, sizeof report);
+  double least = INFINITY;
+  for (int part = 0; part < 20; part++) {
+    chain_run(chain, 500000, &rng, &report);
+    chain_store(chain, pack);
+    least = fmin(least, pack_audit(pack) / (2 * pack_smallest(pack)));
+  }
+  double off = fluid ? (report.Z - of_few(phi, (double)n)) / report.Z_error : 0;
+  gsl_test(out.status || least < -1e-12 || fabs(off) > 4 || report.cut,
+           "%d-D N=%zu+%zu at %g, %s: gap %.2g after %.0f lifts, Z = %.4f +- "
+           "%.4f, off by %.2f se",
+           dim, n, n2, phi, rule ? "newton" : "straight", least,
+           (double)report.lifts, report.Z, report.Z_error, off);
+  chain_free(&chain);
+  pack_free(&pack);
+}
+
 int main(int count, char *words[]) {
   const char *name = count == 2 ? words[1] : "";
   if (!strcmp(name, "pressure")) {
@@ -220,6 +253,14 @@ int main(int count, char *words[]) {
       isostatic(2, 100, 100, 1.4, seed, 1e10, .82, .87);
     }
     isostatic(3, 60, 140, .5, 4, 1e10, .64, .70);
+  } else if (!strcmp(name, "chains")) {
+    for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++) {
+      chains(3, 500, 0, 1, .30, rule, true);
+      chains(3, 500, 0, 1, .45, rule, true);
+      chains(3, 500, 0, 1, .49, rule, true);
+      chains(3, 500, 0, 1, .63, rule, false);
+      chains(2, 200, 300, .4, .82, rule, false);
+    }
   } else
     return 2;
   return gsl_test_summary();

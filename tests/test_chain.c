@@ -206,7 +206,7 @@ static void ref_free(Ref *ref) {
 static void against_reference(int dim, const double ratio[], size_t n,
                               size_t n2, double r2, double phi, int wide,
                               ChainRule rule, double length, uint64_t lifts) {
-  Pack *pack = grown(dim, ratio, n, n2, r2, phi, .05, 3 + n);
+  Pack *pack = grown(dim, ratio, n, n2, r2, phi, .2, 3 + n);
   Chain *chain = open(pack, rule, length);
   Ref *ref = ref_alloc(pack, wide, chain_length(chain));
   Rng rng = rng_stream(5, n, RNG_TEST), same = rng;
@@ -334,30 +334,36 @@ static double schultz(double phi, double n) {
   return b[1] / phi + 1 - phi * chi / (2 * n) * (b[0] - 2 * b[1] + b[2]) / (h * h);
 }
 
-static void pressure(double phi, ChainRule rule, uint64_t lifts) {
-  Pack *pack = grown(3, cube, 500, 0, 1, phi, .03, 77);
-  Chain *chain = open(pack, rule, 0);
+/* From packs that dynamics has brought to equilibrium. Blocks are shorter than
+   the memory of straight chains, which get twice as many lifts. */
+static void pressure(double phi, uint64_t lifts) {
+  Pack *pack = grown(3, cube, 500, 0, 1, phi, .2, 77);
   Rng rng = rng_stream(9, 1, RNG_TEST);
-  ChainReport report = {0};
-  chain_run(chain, lifts / 4, &rng, &report);
-  memset(&report, 0, sizeof report);
-  chain_run(chain, lifts, &rng, &report);
-  double exact = schultz(phi, 500), off = report.Z - exact;
-  chain_store(chain, pack);
-  gsl_test(fabs(off) > 3.5 * report.Z_error || fabs(off) > .01 * exact ||
-               report.Z_error > .005 * exact || report.cut ||
-               pack_audit(pack) < -2e-12,
-           "phi=%g, %s: Z=%.4f +- %.4f, theory %.4f (%.2f se), gap %.2g", phi,
-           rule ? "newton" : "straight", report.Z, report.Z_error, exact,
-           off / report.Z_error, pack_audit(pack));
-  chain_free(&chain);
+  Outcome out = {0};
+  crm_equilibrate(pack, MOTION_EQUAL, 60, 2, 1, &rng, NULL, &out);
+  for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++) {
+    Chain *chain = open(pack, rule, 0);
+    ChainReport report = {0};
+    chain_run(chain, lifts / 4, &rng, &report);
+    memset(&report, 0, sizeof report);
+    chain_run(chain, rule ? lifts : 2 * lifts, &rng, &report);
+    double exact = schultz(phi, 500), off = report.Z - exact;
+    chain_store(chain, pack);
+    gsl_test(fabs(off) > 3.5 * report.Z_error || fabs(off) > .01 * exact ||
+                 report.Z_error > .005 * exact || report.cut ||
+                 pack_audit(pack) < -2e-12,
+             "phi=%g, %s: Z=%.4f +- %.4f, theory %.4f (%.2f se), gap %.2g", phi,
+             rule ? "newton" : "straight", report.Z, report.Z_error, exact,
+             off / report.Z_error, pack_audit(pack));
+    chain_free(&chain);
+  }
   pack_free(&pack);
 }
 
 /* The contact value of event-driven dynamics. */
 static void against_dynamics(int dim, size_t n, size_t n2, double r2,
                              double phi, uint64_t lifts) {
-  Pack *pack = grown(dim, cube, n, n2, r2, phi, .03, 79);
+  Pack *pack = grown(dim, cube, n, n2, r2, phi, .2, 79);
   Rng rng = rng_stream(9, 2, RNG_TEST);
   CrmReport flown;
   Outcome out = {0};
@@ -368,7 +374,7 @@ static void against_dynamics(int dim, size_t n, size_t n2, double r2,
     ChainReport report = {0};
     chain_run(chain, lifts, &rng, &report);
     double error = gsl_hypot(report.Z_error, flown.Z_error);
-    gsl_test(fabs(report.Z - flown.Z) > 3.5 * error || error > .01 * flown.Z,
+    gsl_test(fabs(report.Z - flown.Z) > 3.5 * error || error > .02 * flown.Z,
              "%d-D, %zu and %zu of %g at %g, %s: Z=%.4f +- %.4f, dynamics %.4f "
              "+- %.4f (%.2f se)", dim, n, n2, r2, phi,
              rule ? "newton" : "straight", report.Z, report.Z_error, flown.Z,
@@ -380,21 +386,57 @@ static void against_dynamics(int dim, size_t n, size_t n2, double r2,
 
 /* --------------------------------------------------- overlaps, hard cases */
 static void audit(int dim, size_t n, size_t n2, double r2, double phi,
-                  ChainRule rule, uint64_t lifts) {
+                  uint64_t lifts) {
   Pack *pack = grown(dim, cube, n, n2, r2, phi, .01, 81);
-  Chain *chain = open(pack, rule, 0);
-  Rng rng = rng_stream(9, 3, RNG_TEST);
-  ChainReport report = {0};
-  double least = INFINITY;
-  for (int part = 0; part < 5; part++) {
-    chain_run(chain, lifts / 5, &rng, &report);
-    chain_store(chain, pack);
-    least = GSL_MIN(least, pack_audit(pack) / (2 * pack_smallest(pack)));
+  for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++) {
+    Chain *chain = open(pack, rule, 0);
+    Rng rng = rng_stream(9, 3, RNG_TEST);
+    ChainReport report = {0};
+    double least = INFINITY;
+    for (int part = 0; part < 5; part++) {
+      chain_run(chain, lifts / 5, &rng, &report);
+      chain_store(chain, pack);
+      least = GSL_MIN(least, pack_audit(pack) / (2 * pack_smallest(pack)));
+    }
+    gsl_test(least < -1e-12 || report.lifts < lifts || report.cut,
+             "%d-D N=%zu+%zu at %g, %s: gap %.3g diameters after %.0f lifts, "
+             "Z=%.4g", dim, n, n2, phi, rule ? "newton" : "straight", least,
+             (double)report.lifts, report.Z);
+    chain_free(&chain);
   }
-  gsl_test(least < -1e-12 || report.lifts < lifts || report.cut,
-           "%d-D N=%zu+%zu at %g, %s: gap %.3g diameters after %.0f lifts, "
-           "Z=%.4g", dim, n, n2, phi, rule ? "newton" : "straight", least,
-           (double)report.lifts, report.Z);
+  pack_free(&pack);
+}
+
+/* The displacement is that of the places, added up chain by chain. */
+static void wander(int dim, size_t n, double phi, ChainRule rule) {
+  Pack *pack = grown(dim, cube, n, 0, 1, phi, .2, 83);
+  double *last = malloc(n * 3 * sizeof *last), *moved = calloc(n, 3 * sizeof *moved);
+  size_t many = n * (size_t)dim;
+  memcpy(last, pack->x, many * sizeof *last);
+  Chain *chain = open(pack, rule, box_reach(&pack->box) / 12);
+  Rng rng = rng_stream(9, 5, RNG_TEST);
+  ChainReport report = {0};
+  for (size_t part = 0; part < 3000 * n; part++) {
+    chain_walk(chain, 1, &rng, &report);
+    chain_store(chain, pack);
+    for (size_t c = 0; c < many; c++)
+      moved[c] += box_nearest(pack->x[c] - last[c], pack->box.side[c % (size_t)dim]);
+    memcpy(last, pack->x, many * sizeof *last);
+  }
+  double mean = 0;
+  for (size_t k = 0; k < (size_t)dim; k++) {
+    double sum = 0, square = 0;
+    for (size_t i = 0; i < n; i++) {
+      sum += moved[i * (size_t)dim + k] / (double)n;
+      square += gsl_pow_2(moved[i * (size_t)dim + k]) / (double)n;
+    }
+    mean += square - sum * sum;
+  }
+  gsl_test_rel(chain_wandered(chain), mean, 1e-6,
+               "%d-D N=%zu at %g, %s: the way that was wandered", dim, n, phi,
+               rule ? "newton" : "straight");
+  free(last);
+  free(moved);
   chain_free(&chain);
   pack_free(&pack);
 }
@@ -446,11 +488,11 @@ static void same_bytes(int dim, ChainRule rule) {
   Pack *first = NULL;
   for (int v = 0; v < 3; v++) {
     setenv("RANDPACK_SIMD", simd[v], 1);
-    Pack *pack = grown(dim, cube, 300, 200, .4, .45, .1, 8);
+    Pack *pack = grown(dim, cube, 150, 100, .4, .45, .3, 8);
     Chain *chain = open(pack, rule, 0);
     Rng rng = rng_stream(3, 3, RNG_TEST);
     ChainReport report = {0};
-    chain_run(chain, 20000, &rng, &report);
+    chain_run(chain, 5000, &rng, &report);
     chain_store(chain, pack);
     if (first)
       gsl_test(memcmp(first->x, pack->x,
@@ -473,27 +515,29 @@ int main(void) {
   for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++) {
     against_reference(3, cube, 250, 0, 1, .45, 1, rule, 20, 4000);
     against_reference(2, cube, 90, 40, .5, .6, 1, rule, 30, 4000);
-    against_reference(3, cube, 200, 300, .3, .5, 1, rule, 0, 4000);
-    against_reference(3, cube, 12, 0, 1, .45, 0, rule, 5, 4000);
+    against_reference(3, cube, 200, 300, .3, .5, 1, rule, 0, 2000);
+    against_reference(3, cube, 12, 0, 1, .45, 0, rule, 5, 1200);
     against_reference(2, rod, 8, 5, .3, .5, 0, rule, 8, 4000);
     against_reference(3, cube, 2, 0, 1, .3, 0, rule, 40, 4000);
     against_reference(3, cube, 60, 0, 1, .002, 1, rule, 300, 1000);
     two(2, .5, .5, 2.5, rule, 1.7);
     two(3, .5, .3, 1.9, rule, 2.9);
-    two(3, .5, .5, 5, rule, 40);
+    two(3, .5, .5, 3, rule, 7);
     alone(.3, rule);
     alone(1.05, rule);
-    pressure(.30, rule, 300000);
-    pressure(.45, rule, 300000);
-    pressure(.49, rule, 300000);
-    audit(3, 250, 0, 1, .63, rule, 300000);
-    audit(2, 150, 100, .6, .80, rule, 300000);
     full_rows(rule);
+    wander(2, 5, .3, rule);
+    wander(3, 60, .01, rule);
     same_bytes(2, rule);
     same_bytes(3, rule);
   }
-  against_dynamics(2, 300, 0, 1, .5, 200000);
-  against_dynamics(2, 200, 300, .4, .6, 200000);
-  against_dynamics(3, 100, 500, .4, .45, 200000);
+  pressure(.30, 80000);
+  pressure(.45, 120000);
+  pressure(.49, 120000);
+  audit(3, 108, 0, 1, .63, 80000);
+  audit(2, 60, 40, .6, .80, 80000);
+  against_dynamics(2, 200, 0, 1, .5, 80000);
+  against_dynamics(2, 100, 150, .4, .6, 80000);
+  against_dynamics(3, 100, 200, .4, .45, 80000);
   return gsl_test_summary();
 }
