@@ -1,0 +1,23 @@
+# At c = .575: contact value and solid fraction against the sweeps of Metropolis' rule, chains and dynamics.
+# data: shake-drift
+set terminal cairolatex pdf size 12.6cm,6.6cm font ",10" fontscale 0.9
+set output out
+ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7", n)."}{".s."}"
+curve(r) = data("shake-drift", "shaking@".r.".tsv")
+rule(i) = word("metropolis chain newton dynamics", i)
+# the state before the first sweep stands at one third
+at(m) = m > 0 ? m : 0.33
+set logscale x; set xrange [0.25:4500]; set xtics ("0" 0.33, 1, 10, 100, 1000); unset mxtics
+set xlabel "sweeps"
+unset key
+set multiplot layout 1,2 margins 0.09,0.985,0.19,0.97 spacing 0.12
+set ylabel "$g(2^+)$" offset 1.6,0
+set label ink(1, "Metropolis, $R_{\\rm sh}=.1$") at graph 0.05,0.36
+set label ink(2, "chains, straight") at graph 0.05,0.27
+set label ink(3, "chains, Newtonian") at graph 0.05,0.18
+set label ink(4, "dynamics") at graph 0.05,0.09
+plot for [i = 1:4] curve(rule(i)) using (at($1)):"contact":"contact_err" with yerrorlines lt i
+unset label
+set ylabel "solid fraction" offset 1.2,0
+plot for [i = 1:4] curve(rule(i)) using (at($1)):"solid_fraction":"solid_fraction_err" with yerrorlines lt i
+unset multiplot
