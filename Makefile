@@ -128,7 +128,7 @@ $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@touch $@
 # Speed against error: the operations here, the seconds from their record.
 BENCHED := outcome simd box rng pack cells rsa pairs contact py table \
-  near motion events engine crm shake theory flags
+  near motion events engine crm shake chain theory flags
 $(B)/data/speed/summary.tsv: tests/bench.c $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'
 	@$(B)/bench ops $(@D)

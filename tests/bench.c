@@ -7,6 +7,7 @@
      bench recorded FILE DIR  DIR/summary.tsv: rates and ratios of a record
      bench compare FILE       ours beside the plain programs */
 #include "cells.h"
+#include "chain.h"
 #include "contact.h"
 #include "crm.h"
 #include "engine.h"
@@ -1395,10 +1396,53 @@ static void shake_case(Bench *bench, size_t n, size_t s) {
   pack_free(&pack);
 }
 
+typedef struct {
+  Chain *chain;
+  uint64_t lifts; /* a call, or a few more: chains are not broken off */
+  Rng rng;
+  ChainReport report;
+} ChainJob;
+
+static void chain_ours(void *of) {
+  ChainJob *job = of;
+  chain_run(job->chain, job->lifts, &job->rng, &job->report);
+}
+
+/* A row's work is one lift, as counted in some calls before. */
+static void chain_case(Bench *bench, const Pack *pack, ChainRule rule) {
+  enum { BEFORE = 10 };
+  const ChainPlan plan = {.rule = rule};
+  Outcome out = {0};
+  ChainJob job = {.chain = chain_alloc(pack, &plan, &out),
+                  .lifts = 10 * pack->n,
+                  .rng = rng_stream(SEED, 0, RNG_TEST)};
+  for (int c = 0; c < BEFORE; c++)
+    chain_ours(&job);
+  const Case ours = {"ours", chain_ours, &job, GSL_NAN};
+  measure(bench, rule == CHAIN_NEWTON ? "newton" : "chain", (double)pack->n,
+          (double)job.report.lifts / BEFORE, &ours, 1);
+  chain_free(&job.chain);
+}
+
+/* A row's work is one collision. */
+static void dynamics_case(Bench *bench, const Pack *pack) {
+  CrmJob job = {crm_engine(pack, 0), NULL, 10 * (double)pack->n};
+  crm_run(job.engine, job.collisions);
+  const Case ours = {"ours", crm_ours, &job, GSL_NAN};
+  measure(bench, "dynamics", (double)pack->n, job.collisions, &ours, 1);
+  engine_free(&job.engine);
+}
+
 static void shake_seconds(Bench *bench) {
+  CrmReport grown;
+  Pack *pack = crm_pack(2000, 0.575, 0.05, 0, &grown);
   for (size_t s = 0; s < COUNT(shakes); s++)
     shake_case(bench, 2000, s);
   shake_case(bench, 16000, 0);
+  chain_case(bench, pack, CHAIN_STRAIGHT);
+  chain_case(bench, pack, CHAIN_NEWTON);
+  dynamics_case(bench, pack);
+  pack_free(&pack);
 }
 
 /* ------------------------------------------------------------ the tasks */
@@ -1429,7 +1473,8 @@ static const Task tasks[] = {
      crm_operations,
      crm_seconds},
     {"shake",
-     {"shake", "near", "crm", "engine", "motion", "box", "rng", "simd", "flags"},
+     {"shake", "chain", "near", "crm", "engine", "motion", "events", "box", "rng",
+      "simd", "flags"},
      shake_operations,
      shake_seconds}};
 
@@ -1543,6 +1588,7 @@ static void say_row(Bench *bench, const char *method, const Row *r,
   say(bench, 1 / rate, spread / rate, "%s_each", name);
   say(bench, 1000 * rate, 1000 * rate * spread, "%s_thousands", name);
   say(bench, r->seconds, r->spread, "%s_seconds", name);
+  say(bench, 1000 * r->seconds, 1000 * r->spread, "%s_milliseconds", name);
   if (plain && !is_plain(r)) {
     double ratio = plain->seconds / r->seconds;
     double both = gsl_hypot(spread, plain->spread / plain->seconds);

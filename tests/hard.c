@@ -1,6 +1,7 @@
 /* Hard cases that the command cannot provoke: `hard NAME` prints what was
    measured and ends with 0 if it is what tests/hard promises. */
 #include "cells.h"
+#include "chain.h"
 #include "contact.h"
 #include "crm.h"
 #include "order.h"
@@ -8,6 +9,7 @@
 #include "pairs.h"
 #include "py.h"
 #include "rsa.h"
+#include "shake.h"
 #include <gsl/gsl_math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -408,10 +410,260 @@ static bool overlapping_more(void) {
   return touches(1e-13, 13, DONE);
 }
 
+/* ------------------------------------------------------------ shakes */
+/* n of radius 1 and n2 of r2, grown to a fraction; if it is 1, to a millionth
+   below jamming, where Z is 3 millions in space. Radii are what was reached. */
+static Pack *grown(int dim, size_t n, size_t n2, double r2, double rate,
+                   double fraction) {
+  Pack *pack = points(dim, square, n, n2, r2);
+  CrmPlan plan = gentle(rate, fraction);
+  plan.pressure = fraction < 1 ? 0 : 3e6;
+  plan.fraction = GSL_MIN(fraction, 0.9);
+  Rng rng = rng_stream(5, 0, RNG_TEST);
+  Outcome out = {0};
+  int status = crm_grow(pack, &plan, &rng, NULL, &out);
+  if (status != (fraction < 1 ? DONE : UNREACHED))
+    printf("not grown: %s ", out.text);
+  return pack;
+}
+
+static ShakeReport shaken(Pack *pack, ShakeRule rule, double radius,
+                          uint64_t sweeps) {
+  const ShakePlan plan = {rule, radius, 4, false};
+  Rng rng = rng_stream(6, rule, RNG_TEST);
+  ShakeReport report = {0};
+  Outcome out = {0};
+  Shake *shake = shake_alloc(pack, &plan, &out);
+  if (!shake)
+    printf("not shaken: %s ", out.text);
+  else {
+    shake_sweeps(shake, sweeps, &rng, &report);
+    shake_store(shake, pack);
+  }
+  shake_free(&shake);
+  return report;
+}
+
+static ChainReport chained(Pack *pack, ChainRule rule, uint64_t lifts) {
+  const ChainPlan plan = {.rule = rule};
+  Rng rng = rng_stream(7, rule, RNG_TEST);
+  ChainReport report = {0};
+  Outcome out = {0};
+  Chain *chain = chain_alloc(pack, &plan, &out);
+  if (!chain)
+    printf("no chains: %s ", out.text);
+  else {
+    chain_run(chain, lifts, &rng, &report);
+    chain_store(chain, pack);
+  }
+  chain_free(&chain);
+  return report;
+}
+
+/* Nothing overlaps, by more than this share of the smallest diameter. */
+static bool clear(const Pack *pack, double share) {
+  double gap = cells_least_gap(pack) / (2 * pack_smallest(pack));
+  printf(", gap %s -%g", gap >= -share ? ">" : "<", share);
+  return gap >= -share;
+}
+
+static bool shake_dense(void) {
+  Pack *pack = grown(3, 500, 0, 1, 0.003, 0.63);
+  double a = pack_largest(pack), made = contact_value(pack, 2 * a, 2, 0).value;
+  ShakeReport report = shaken(pack, SHAKE_METROPOLIS, 0.02, 1000);
+  double change = contact_value(pack, 2 * a, 2, 0).value / made - 1;
+  printf("contact value %.4g, changed by %.2g, %.2g accepted", made, change,
+         (double)report.moved / (double)report.trials);
+  bool good = clear(pack, 1e-12) && fabs(change) < 0.15;
+  pack_free(&pack);
+  return good;
+}
+
+/* Who is held moves by a millionth, rattlers as they like. */
+static bool shake_jammed(void) {
+  Pack *pack = grown(3, 100, 0, 1, 0.01, 1);
+  size_t most = 0;
+  double wide = 0, narrow = 0;
+  for (ShakeRule rule = SHAKE_METROPOLIS; rule <= SHAKE_COLLISION_LONGEST; rule++)
+    most = GSL_MAX(most, shaken(pack, rule, 0.02, 100).moved);
+  ShakeReport report = shaken(pack, SHAKE_METROPOLIS, 0.02, 1000);
+  wide = (double)report.moved / (double)report.trials;
+  report = shaken(pack, SHAKE_METROPOLIS, 1e-6, 1000);
+  narrow = (double)report.moved / (double)report.trials;
+  printf("accepted %.2g, and %.2g", wide, narrow);
+  bool good = clear(pack, 1e-12) && wide < 0.05 && narrow > 0.1 && most > 0;
+  pack_free(&pack);
+  return good;
+}
+
+static bool chain_jammed(void) {
+  Pack *pack = grown(3, 100, 0, 1, 0.01, 1);
+  double Z[2];
+  for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++)
+    Z[rule] = chained(pack, rule, 100000).Z;
+  printf("Z %.2g and %.2g", Z[0], Z[1]);
+  bool good = clear(pack, 1e-12) && Z[0] > 1e5 && Z[1] > 1e5;
+  pack_free(&pack);
+  return good;
+}
+
+/* No window, one below the last digit, one wider than the box. */
+static bool shake_windows(void) {
+  static const double radius[] = {0, 1e-15, 100};
+  bool good = true;
+  for (size_t r = 0; r < 3; r++)
+    for (ShakeRule rule = SHAKE_METROPOLIS; rule <= SHAKE_COLLISION_LONGEST; rule++) {
+      Pack *pack = grown(3, 60, 0, 1, 0.1, r < 2 ? 0.5 : 0.05);
+      double least = cells_least_gap(pack), x = pack->x[0];
+      ShakeReport report = shaken(pack, rule, radius[r], 50);
+      double off = fabs(box_nearest(pack->x[0] - x, pack->box.side[0]));
+      good = good && report.turns == 3000 &&
+             (r < 2 ? off < 1e-12 : off > 1e-3) &&
+             (r > 0 || (report.moved == 0 && cells_least_gap(pack) == least)) &&
+             cells_least_gap(pack) >= -1e-12;
+      if (rule == SHAKE_METROPOLIS)
+        printf("%s%.0f of 3000 moved", r ? ", " : "", (double)report.moved);
+      pack_free(&pack);
+    }
+  return good;
+}
+
+static bool shake_one(void) {
+  bool good = true;
+  for (ShakeRule rule = SHAKE_METROPOLIS; rule <= SHAKE_COLLISION_LONGEST; rule++) {
+    Pack *pack = make(3, cube, 1, 3.9, NULL);
+    ShakeReport report = shaken(pack, rule, 0.5, 1000);
+    good = good && report.moved == 1000 && pack->x[0] >= 0 && pack->x[0] < 8;
+    printf("%s%.0f", rule ? ", " : "", (double)report.moved);
+    pack_free(&pack);
+  }
+  printf(" of 1000 turns moved");
+  return good;
+}
+
+static bool chain_few(void) {
+  bool good = true;
+  for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++) {
+    static const double x[] = {1, 1, 1, 4, 5, 6};
+    Pack *one = make(3, cube, 1, 3.9, x), *two = make(3, cube, 2, 1, x);
+    ChainReport alone = chained(one, rule, 1000);
+    ChainReport both = chained(two, rule, 20000);
+    double ball = pack_ball(3, 2), Z = 1 + 0.5 * ball / (512 - ball);
+    good = good && alone.lifts == 0 && alone.chains == 1000 && alone.Z == 1 &&
+           fabs(both.Z - Z) < 4 * both.Z_error && both.Z_error < 0.01;
+    printf("%s%.0f lifts, Z %.4f (%.4f)", rule ? "; " : "",
+           (double)alone.lifts, both.Z, Z);
+    good = clear(two, 1e-12) && good;
+    pack_free(&one);
+    pack_free(&two);
+  }
+  return good;
+}
+
+static bool chain_empty(void) {
+  bool good = true;
+  for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++) {
+    Pack *pack = grown(3, 500, 0, 1, 0.1, 1e-6);
+    ChainReport report = chained(pack, rule, 300);
+    good = good && report.lifts >= 300 && fabs(report.Z - 1) < 1e-3;
+    printf("%s%.0f lifts, |Z - 1| %s 1e-3", rule ? "; " : "",
+           (double)report.lifts, fabs(report.Z - 1) < 1e-3 ? "<" : ">");
+    good = clear(pack, 1e-12) && good;
+    pack_free(&pack);
+  }
+  return good;
+}
+
+static bool shake_discs(void) {
+  enum { SAMPLES = 100 };
+  Pack *pack = grown(2, 500, 0, 1, 0.05, 0.70);
+  double Z = chained(pack, CHAIN_NEWTON, 200000).Z, a = pack_largest(pack), g = 0;
+  const ShakePlan plan = {SHAKE_METROPOLIS, 0.2, 1, false};
+  Rng rng = rng_stream(6, 0, RNG_TEST);
+  ShakeReport report = {0};
+  Outcome out = {0};
+  Shake *shake = shake_alloc(pack, &plan, &out);
+  for (int s = 0; s < SAMPLES; s++) {
+    shake_sweeps(shake, 20, &rng, &report);
+    shake_store(shake, pack);
+    g += contact_value(pack, 2 * a, 2, 0).value / SAMPLES;
+  }
+  double off = (1 + 2 * pack_fraction(pack) * g) / Z - 1;
+  printf("%.2g accepted; Z by chains %.4g, by trials %.2g off",
+         (double)report.moved / (double)report.trials, Z, off);
+  bool good = clear(pack, 1e-12) && fabs(off) < 0.05;
+  shake_free(&shake);
+  pack_free(&pack);
+  return good;
+}
+
+static bool shake_hundred(void) {
+  Pack *pack = grown(3, 2, 1000, 0.01, 0.3, 0.3);
+  bool good = true;
+  for (ShakeRule rule = SHAKE_METROPOLIS; rule <= SHAKE_COLLISION_LONGEST; rule++) {
+    ShakeReport report = shaken(pack, rule, 0.5, 50);
+    good = good && report.moved > report.turns / 2;
+    printf("%s%.2g", rule ? ", " : "moved in ", (double)report.moved / (double)report.turns);
+  }
+  for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++)
+    good = chained(pack, rule, 5000).lifts >= 5000 && good;
+  double gap = cells_least_gap(pack);
+  good = clear(pack, 1e-12) && good && gap == pack_audit(pack);
+  pack_free(&pack);
+  return good;
+}
+
+/* A cubic lattice that touches all round its box: nobody can go anywhere. */
+static Pack *held(void) {
+  static const double side[] = {6, 6, 6};
+  Pack *pack = make(3, side, 27, 1, NULL);
+  for (size_t c = 0, three[] = {9, 3, 1}; c < 81; c++)
+    pack->x[c] = 2 * (double)(c / 3 / three[c % 3] % 3);
+  return pack;
+}
+
+static bool shake_held(void) {
+  Pack *pack = held(), *was = held();
+  size_t moved = 0;
+  for (ShakeRule rule = SHAKE_METROPOLIS; rule <= SHAKE_COLLISION_LONGEST; rule++)
+    moved += shaken(pack, rule, 0.02, 1000).moved;
+  bool same = memcmp(pack->x, was->x, 81 * sizeof *pack->x) == 0;
+  printf("%zu moved, the bytes are %sthe same", moved, same ? "" : "not ");
+  bool good = clear(pack, 1e-12) && same && moved == 0;
+  pack_free(&pack);
+  pack_free(&was);
+  return good;
+}
+
+static bool chain_held(void) {
+  bool good = true;
+  for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++) {
+    Pack *pack = held();
+    ChainReport report = chained(pack, rule, 1000);
+    good = good && report.cut > 0 && report.chains == report.cut;
+    printf("%s%.0f of %.0f chains cut", rule ? "; " : "", (double)report.cut,
+           (double)report.chains);
+    good = clear(pack, 1e-12) && good;
+    pack_free(&pack);
+  }
+  return good;
+}
+
 static const struct {
   const char *name;
   bool (*run)(void);
 } cases[] = {
+    {"shake-dense", shake_dense},
+    {"shake-jammed", shake_jammed},
+    {"shake-windows", shake_windows},
+    {"shake-one", shake_one},
+    {"shake-discs", shake_discs},
+    {"shake-hundred", shake_hundred},
+    {"shake-held", shake_held},
+    {"chain-jammed", chain_jammed},
+    {"chain-few", chain_few},
+    {"chain-empty", chain_empty},
+    {"chain-held", chain_held},
     {"grow-one", grow_one},
     {"grow-two-many", grow_two_many},
     {"grow-from-a-point", grow_from_a_point},

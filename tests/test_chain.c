@@ -367,7 +367,7 @@ static void against_dynamics(int dim, size_t n, size_t n2, double r2,
   Rng rng = rng_stream(9, 2, RNG_TEST);
   CrmReport flown;
   Outcome out = {0};
-  crm_equilibrate(pack, MOTION_EQUAL, 100, 20, (double)lifts / (10 * (double)n),
+  crm_equilibrate(pack, MOTION_EQUAL, 60, 20, (double)lifts / (30 * (double)n),
                   &rng, &flown, &out);
   for (ChainRule rule = CHAIN_STRAIGHT; rule <= CHAIN_NEWTON; rule++) {
     Chain *chain = open(pack, rule, 0);
@@ -416,7 +416,7 @@ static void wander(int dim, size_t n, double phi, ChainRule rule) {
   Chain *chain = open(pack, rule, box_reach(&pack->box) / 12);
   Rng rng = rng_stream(9, 5, RNG_TEST);
   ChainReport report = {0};
-  for (size_t part = 0; part < 3000 * n; part++) {
+  for (size_t part = 0; part < 1000 * n; part++) {
     chain_walk(chain, 1, &rng, &report);
     chain_store(chain, pack);
     for (size_t c = 0; c < many; c++)
@@ -516,9 +516,9 @@ int main(void) {
     against_reference(3, cube, 250, 0, 1, .45, 1, rule, 20, 4000);
     against_reference(2, cube, 90, 40, .5, .6, 1, rule, 30, 4000);
     against_reference(3, cube, 200, 300, .3, .5, 1, rule, 0, 2000);
-    against_reference(3, cube, 12, 0, 1, .45, 0, rule, 5, 1200);
+    against_reference(3, cube, 12, 0, 1, .45, 0, rule, 5, 700);
     against_reference(2, rod, 8, 5, .3, .5, 0, rule, 8, 4000);
-    against_reference(3, cube, 2, 0, 1, .3, 0, rule, 40, 4000);
+    against_reference(3, cube, 2, 0, 1, .3, 0, rule, 40, 2000);
     against_reference(3, cube, 60, 0, 1, .002, 1, rule, 300, 1000);
     two(2, .5, .5, 2.5, rule, 1.7);
     two(3, .5, .3, 1.9, rule, 2.9);
