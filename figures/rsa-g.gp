@@ -4,7 +4,7 @@ g = data("rsa-g", "rdf.tsv"); t = data("rsa-g", "theory.tsv")
 set multiplot
 set lmargin screen 0.10; set rmargin screen 0.98; set tmargin screen 0.98; set bmargin screen 0.15
 set xrange [1.95:6.05]; set yrange [0.75:2.5]
-set xlabel "$R=r/a$"; set ylabel "$g(R)$" offset 0.5
+set xlabel "$R=r/a$" offset 0,0.9; set ylabel "$g(R)$" offset 0.5
 set key at graph 0.99,0.36 right vertical
 plot t using 1:2 with lines lt 7 title "Percus--Yevick, $\\phi=.30$", \
   g using 1:2:3 with yerrorbars lt 1 pt 7 ps 0.3 title "random sequential addition"
