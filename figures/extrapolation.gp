@@ -39,11 +39,12 @@ do for [j = 1:2] {
   set yrange [-48:48]; set ytics 20
   do for [i = 1:2] {
     rule = word("retry metropolis", i)
-    set tmargin screen (i == 1 ? 0.51 : 0.285); set bmargin screen (i == 1 ? 0.31 : 0.085)
+    set tmargin screen (i == 1 ? 0.51 : 0.29); set bmargin screen (i == 1 ? 0.315 : 0.095)
     if (i == 2) { set format x "%g"; set xlabel "$R=r/a$" offset 0,0.5 }
     if (j == 1) { set format y "$%g$" } else { set format y "" }
     if (i == 1 && j == 1) { set label 9 "measured $-$ (17), in standard errors" at screen 0.022,first -50 center rotate }
-    set label 1 rule.(i == 2 ? "; measured ".found(rule, c) : "") at graph 0.98,0.87 right
+    set label 1 rule at graph 0.98,0.87 right
+    if (i == 2) { set label 2 "measured ".found(rule, c) at graph 0.98,0.11 right }
     plot 0 with lines lt 8, pair(rule, c, fw) using 1:(($2-$4)/sqrt($3**2 + $5**2)) with lines lt 2, \
       pair(rule, c, fp) using 1:(($2-$4)/sqrt($3**2 + $5**2)) with lines lt 3 dt 2
     unset label
