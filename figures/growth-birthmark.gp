@@ -21,7 +21,7 @@ do for [j = 1:3] {
     if (k == 1) { set label "first peak" at screen 0.022,graph 0.5 center rotate by 90; set format y "%g"; set xrange [6e-4:16]; set xtics 1e-3,10,10
     } else { set format y ""; set xrange [40:3e4]; set xtics 100,10 }
     if (j == 3) { set format x (k == 1 ? "$10^{%T}$" : "$10^{%T}$")
-      set xlabel (k == 1 ? "$\\Gamma$ (isothermal), $a_0$ (literal)" : "collisions a particle")
+      set xlabel (k == 1 ? "$\\Gamma$ (isothermal), $a_0$ (literal)" : "collisions a particle") offset 0,0.5
     } else { set format x ""; unset xlabel }
     x0 = k == 1 ? 6e-4 : 40; x1 = k == 1 ? 16 : 3e4
     if (k == 1) { set label sprintf("$\\phi=%s$", word(".575 .60 .63", j)) at graph 0.06,0.92 }

@@ -9,7 +9,7 @@ h = 1e-3
 slope(phi) = -phi*(q(phi + h) - 2*q(phi) + q(phi - h))/h**2/2/(1 + (q(phi + h) - q(phi - h))/2/h)
 rows(phi) = sprintf("< awk -F'\\t' '!/^#/ && (!h++ || $1==%g)' %s", phi, data("growth-size", "sweep.tsv"))
 set multiplot
-set lmargin screen 0.125; set rmargin screen 0.535; set tmargin screen 0.97; set bmargin screen 0.18
+set lmargin screen 0.125; set rmargin screen 0.53; set tmargin screen 0.97; set bmargin screen 0.18
 unset key
 set xrange [0:0.066]; set xtics 0.02; set yrange [-25:5]
 set xlabel "$1/N$"; set ylabel "$Z_N/Z_{\\rm Schultz}-1$, per mille" offset 1,0
@@ -20,9 +20,9 @@ plot 0 with lines lt 8, 1000*s1/z1*x with lines lt 1 lw 0.8, 1000*s2/z2*x with l
   rows(0.1) using (1/$2):(1000*(column("Z")/z1 - 1)):(1000*column("Z_err")/z1) with yerrorbars lt 1 ps 0.5, \
   rows(0.3) using (1/$2):(1000*(column("Z")/z2 - 1)):(1000*column("Z_err")/z2) with yerrorbars lt 2 ps 0.5, \
   rows(0.45) using (1/$2):(1000*(column("Z")/z3 - 1)):(1000*column("Z_err")/z3) with yerrorbars lt 3 ps 0.6
-set lmargin screen 0.655; set rmargin screen 0.985
+set lmargin screen 0.675; set rmargin screen 0.985
 set xrange [0:0.74]; set xtics 0.2; set yrange [-13:5]; set ytics 5
-set xlabel "$\\phi$ (discs)"; set ylabel "$Z/Z_{\\rm Henderson}-1$, per cent" offset 1.1,0
+set xlabel "$\\phi$ (discs)"; set ylabel "$Z/Z_{\\rm Henderson}-1$, per cent" offset 1.6,0
 unset label
 set arrow 1 from 0.7,-13 to 0.7,5 nohead lt 8
 set label 1 ink(8, "freezing") at 0.69,-11.5 right

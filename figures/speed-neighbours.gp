@@ -17,8 +17,8 @@ plot "build/data/speed/neighbours.tsv" using 1:2 with lines lt 2, "" using 1:3 w
 unset label
 set xrange [20:3e5]; set yrange [1e-6:100]; set xtics 100,10; set ytics 1e-6,100
 set ylabel "seconds" offset 2.2,0
-set label 1 ink(2, "all pairs") at 2e3,2 right; set label 2 ink(1, "ours") at 1e5,4e-4
-set label 3 ink(5, "plain cells") at 2.8e5,0.3 right
+set label 1 ink(2, "all pairs") at 1.5e3,0.3 right; set label 2 ink(1, "ours") at 1e5,4e-4
+set label 3 ink(5, "plain cells") at 2.9e5,0.8 right
 plot rows("plain_all") using 4:6:7 with yerrorlines lt 2, rows("plain_lists") using 4:6:7 with yerrorlines lt 5, \
   rows("ours") using 4:6:7 with yerrorlines lt 1
 unset multiplot

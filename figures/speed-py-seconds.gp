@@ -5,15 +5,16 @@ rows(m, l) = sprintf("< awk -F'\\t' '$1==\"py\" && $2==\"%s\" && $3==\"%s\"' dat
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"
 set yrange [4e-16:3]; set ytics 1e-15,1e3,1; set mxtics 1; set mytics 1
-set multiplot layout 1,2 margins 0.125,0.985,0.17,0.93 spacing 0.04
+set multiplot layout 1,2 margins 0.135,0.965,0.17,0.91 spacing 0.05
 unset key
 do for [k = 1:2] {
   l = word("alone thousand", k)
-  set title (k == 1 ? "to prepare the curve" : "for a value, then") offset 0,-0.6
+  set title (k == 1 ? "to prepare the curve" : "for a value, then") offset 0,-0.8
   set xrange [(k == 1 ? 1e-5 : 1e-8):(k == 1 ? 1 : 1e-3)]
   if (k == 1) { set xtics 1e-5,10,0.1 } else { set xtics 1e-8,10 }
   set xlabel "seconds"
-  if (k == 1) { set ylabel "worst error, $3\\le R\\le20$" offset 2.2,0 } else { unset ylabel; set format y "" }
+  unset label
+  if (k == 1) { set label "worst error, $3\\le R\\le20$" at screen 0.02,graph 0.5 center rotate } else { set format y "" }
   if (k == 2) {
     set label ink(2, "Fourier, plain") at 2e-7,0.3; set label ink(5, "jump subtracted") at 2e-7,2e-7
     set label ink(1, "poles") at 5e-5,1e-4; set label ink(3, "shells") at 5e-6,5e-12

@@ -8,13 +8,14 @@ set xrange [0.6:1e6]; set yrange [4e-16:3]
 set xtics 1,100,1e4; set ytics 1e-15,1e3,1
 set mxtics 1; set mytics 1
 unset key
-set multiplot layout 1,3 margins 0.125,0.985,0.17,0.93 spacing 0.03
+set multiplot layout 1,3 margins 0.135,0.985,0.17,0.91 spacing 0.03
 do for [k = 1:3] {
   R = word("2.1 5 15", k)
-  set title "$R=".R."$" offset 0,-0.6
-  if (k == 1) { set ylabel "error of $g$" offset 2.2,0 } else { unset ylabel; set format y "" }
+  set title "$R=".R."$" offset 0,-0.8
+  if (k == 2) { set format y "" }
   set xlabel (k == 2 ? "terms, or points of the grid" : " ")
   unset label
+  if (k == 1) { set label "error of $g$" at screen 0.02,graph 0.5 center rotate }
   if (k == 1) { set label ink(1, "poles") at 1,0.01; set label ink(3, "shells") at 5,1.2e-15 }
   if (k == 2) { set label ink(2, "Fourier, plain") at 300,0.5 }
   if (k == 3) { set label ink(5, "jump") at 1.2e4,1e-9 right; set label ink(5, "subtracted") at 1.2e4,4e-11 right }

@@ -11,6 +11,9 @@ set tics nomirror scale 0.6
 set key outside top center horizontal samplen 2 spacing 1.15
 set pointsize 0.45
 set bars 0.5
+# Off the canvas a label is dropped, or runs into the caption.
+set xlabel offset 0,0.5
+set x2label offset 0,-0.4
 # Okabe and Ito's colours, told apart by everyone, and in grey by their lightness.
 set linetype 1 lc rgb "#0072b2" lw 1.6 pt 7
 set linetype 2 lc rgb "#d55e00" lw 1.6 pt 5

@@ -4,8 +4,8 @@ set terminal cairolatex pdf size 12.6cm,10.5cm font ",10"
 set output out
 f = data("theory-curves", "theory.tsv")
 set multiplot
-set lmargin screen 0.09; set rmargin screen 0.98
-set xrange [2:6.2]; set ylabel "$g(R)$" offset 0.5
+set lmargin screen 0.1; set rmargin screen 0.98
+set xrange [2:6.2]; set label 1 "$g(R)$" at screen 0.025,graph 0.5 center rotate
 set tmargin screen 0.985; set bmargin screen 0.58
 set yrange [0:3.4]
 set key at graph 0.99,0.99 right vertical maxrows 3

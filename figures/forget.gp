@@ -1,0 +1,45 @@
+# The first bin of g at .35 against the number of shakes from four starts, by two rules with two windows; below, the order Q6 of the crystal's.
+# data: forget-rsa forget-crystal forget-slow forget-fast
+set terminal cairolatex pdf size 12.6cm,13cm font ",10"
+set output out
+ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
+file(start, rule, radius) = data("forget-".start, sprintf("shaking@%s@%s.tsv", rule, radius))
+fluid = real(system("build/bin/randpack theory contact --phi 0.35 | awk '$1==\"schultz\" {print $3}'"))
+at(m) = m > 0 ? m : 0.45
+starts = "fast rsa slow crystal"; style = "2 3 1 4"
+set logscale x
+set xrange [0.4:6000]; set mxtics 1
+unset key
+set multiplot
+do for [k = 1:2] {
+  radius = word("0.02 0.2", k)
+  set lmargin screen (k == 1 ? 0.11 : 0.56); set rmargin screen (k == 1 ? 0.535 : 0.985)
+  do for [j = 1:2] {
+    rule = word("metropolis retry", j)
+    set tmargin screen (j == 1 ? 0.99 : 0.67); set bmargin screen (j == 1 ? 0.695 : 0.375)
+    unset label; unset arrow
+    set yrange [0:7.6]; set format x ""; unset xlabel; set ytics 2
+    set xtics (0.45, 1, 10, 100, 1000)
+    if (k == 1) { set label 9 "$g$, first bin" at screen 0.022,graph 0.5 center rotate; set format y "%g" } else { set format y "" }
+    set label 1 sprintf("%s, $R_{\\rm sh}=%s$", rule, radius[2:]) at graph 0.97,0.94 right
+    set arrow 1 from 0.4,fluid to 6000,fluid nohead lt 8
+    if (k == 1 && j == 1) {
+      set label 2 ink(2, "fast growth") at 30,5.1 right; set label 3 ink(3, "RSA") at 0.5,3.85
+      set label 4 ink(1, "slow growth") at 0.5,2.2; set label 5 ink(4, "crystal") at 0.5,0.5
+      }
+    if (k == 2 && j == 2) { set label 6 ink(8, "fluid, $g(2^+)$") at 5500,fluid + 0.55 right }
+    plot for [i = 1:4] file(word(starts, i), rule, radius) using (at($1)*(1 + 0.04*(i - 2.5))):"contact_first_bin":"contact_first_bin_err" with yerrorlines lt word(style, i) + 0 lw 0.8 ps (i == 2 ? 0.55 : 0.45)
+  }
+  unset label; unset arrow
+  set tmargin screen 0.35; set bmargin screen 0.092
+  set yrange [0:0.65]; set ytics 0.2; set format x "%g"
+  set xtics ("0" 0.45, "1" 1, "10" 10, "100" 100, "1000" 1000)
+  set xlabel "shakes" offset 0,0.5
+  if (k == 1) { set label 9 "$Q_6$ from the crystal" at screen 0.022,graph 0.5 center rotate; set format y "%.1f" } else { set format y "" }
+  set label 1 ink(4, "metropolis, ").ink(7, "retry") at graph 0.97,0.92 right
+  if (k == 1) { set label 2 ink(8, "from RSA") at 0.5,0.075 }
+  plot file("crystal", "metropolis", radius) using (at($1)):"Q6":"Q6_err" with yerrorlines lt 4 lw 0.8 ps 0.5, \
+    file("crystal", "retry", radius) using (at($1)*1.05):"Q6":"Q6_err" with yerrorlines lt 7 dt 2 lw 0.8 ps 0.5, \
+    file("rsa", "metropolis", radius) using (at($1)*0.95):"Q6" with lines lt 8
+}
+unset multiplot

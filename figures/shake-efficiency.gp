@@ -1,0 +1,33 @@
+# The relative error of the contact value after a million operations: by rule against the fraction; of Metropolis' against the window.
+# data: efficiency efficiency-step
+ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
+key(s, k) = real(system(sprintf("sed -n 's/#.*//; s/.*\\b%s *= \\([0-9.]*\\);.*/\\1/p' figures/%s.scene", k, s)))
+# a row: the keys of the sweep, the error of a mean over P realizations after a million operations in all
+# between the samples, as a part of the value; the error of that error
+rows(s, q, select) = "< awk -F'\\t' -v P=".sprintf("%d", key(s, "realizations"))." -v part=".sprintf("%.12g", share(s))." '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) if (!($i in k)) k[$i] = i; next} ".select." {y = $k[\"".q."_err\"]/$k[\"".q."\"]*sqrt(P*part*$k[\"shake_trials\"]/1e6); print $1 \"\\t\" $2 \"\\t\" y \"\\t\" y/sqrt(2*(P - 1))}' ".data(s, "sweep.tsv")
+share(s) = between(s)/(key(s, "sweeps") + between(s))
+between(s) = (key(s, "samples") - 1)*key(s, "apart")
+q = "shaken.contact"; exact = "shaken.contact_collision"
+rule(r) = sprintf("$2 == \"%s\"", r)
+best = rows("efficiency-step", q, "1")." | awk '!($1 in y) || $3 < y[$1] {y[$1] = $3; e[$1] = $4; w[$1] = $2} END {for (p in y) print p \"\\t\" w[p] \"\\t\" y[p] \"\\t\" e[p]}' | sort -g"
+set logscale y
+set yrange [5e-4:2e-2]
+set ytics ("$.0005$" 5e-4, "$.001$" 1e-3, "$.002$" 2e-3, "$.005$" 5e-3, "$.01$" 1e-2, "$.02$" 2e-2); set mytics 1
+unset key
+set multiplot layout 1,2 margins 0.125,0.985,0.17,0.97 spacing 0.035
+set xrange [0.27:0.6]; set xtics (".30" 0.3, ".45" 0.45, ".49" 0.49, ".575" 0.575)
+set xlabel "$\\phi$"; set label 9 "relative error after $10^6$ operations" at screen 0.02,graph 0.5 center rotate
+d = 0.003
+plot best using ($1-2*d):3:4 with yerrorlines lt 1 lw 0.8 ps 0.5, \
+  rows("efficiency", q, rule("chain")) using ($1-d):3:4 with yerrorlines lt 3 lw 0.8 ps 0.6, \
+  rows("efficiency", q, rule("newton")) using 1:3:4 with yerrorlines lt 4 lw 0.8 ps 0.6, \
+  rows("efficiency", q, rule("dynamics")) using ($1+d):3:4 with yerrorlines lt 2 lw 0.8 ps 0.5, \
+  rows("efficiency", exact, rule("chain")) using ($1-d):3:4 with yerrorlines lt 3 dt 2 pt 8 lw 0.8 ps 0.6, \
+  rows("efficiency", exact, rule("newton")) using 1:3:4 with yerrorlines lt 4 dt 2 pt 12 lw 0.8 ps 0.6, \
+  rows("efficiency", exact, rule("dynamics")) using ($1+d):3:4 with yerrorlines lt 2 dt 2 pt 4 lw 0.8 ps 0.5
+unset label
+set logscale x; set xrange [0.04:1]; set xtics (".05" 0.05, ".1" 0.1, ".2" 0.2, ".3" 0.3, ".5" 0.5, ".8" 0.8); set format y ""
+set ytics ("" 5e-4, "" 1e-3, "" 2e-3, "" 5e-3, "" 1e-2, "" 2e-2); set mxtics 1
+set xlabel "$R_{\\rm sh}$"
+plot for [i = 1:4] rows("efficiency-step", q, "$1 == ".word("0.3 0.45 0.49 0.575", i)) using ($2*(1 + 0.02*(i - 2.5))):3:4 with yerrorlines lt word("6 5 7 1", i)+0 lw 0.8 ps 0.5
+unset multiplot
