@@ -13,7 +13,7 @@ set xrange [2:2.5]; set xtics 0.1
 set multiplot
 set tics front
 do for [j = 1:2] {
-  c = real(word("0.3 0.49", j)); top = real(word("7.6 11", j))
+  c = real(word("0.3 0.49", j)); top = real(word("6.2 11.4", j))
   set lmargin screen (j == 1 ? 0.105 : 0.58); set rmargin screen (j == 1 ? 0.505 : 0.98)
   set tmargin screen 0.98; set bmargin screen 0.425
   unset label; unset arrow; unset object
@@ -21,15 +21,15 @@ do for [j = 1:2] {
   set yrange [0:top]; set format x ""; unset xlabel; set format y "%g"; set ytics auto
   if (j == 1) { set ytics 2; set label 9 "$g(R)$" at screen 0.02,graph 0.5 center rotate } else { set ytics 2 }
   set label 1 sprintf("$\\phi=%s$", word(".30 .49", j)) at graph 0.97,0.94 right front
-  set label 2 "$R_{\\rm sh}$" at 2 + 0.75*window,graph 0.05 center front
+  set label 2 "$R_{\\rm sh}$" at 2 + 0.96*window,graph 0.94 right front
   if (j == 1) {
-    set label 3 ink(5, "collision") at 2.025,6.6 front
-    set label 4 ink(8, "fluid, $g(2^+)$") at 2.14,4.6 front
-    set arrow 1 from 2.135,4.5 to 2.008,fluid(c) + 0.2 nohead lt 8 dt 1
+    set label 3 ink(5, "collision") at 2.014,4.9 front
+    set label 4 ink(8, "fluid, $g(2^+)$") at 2.14,3.6 front
+    set arrow 1 from 2.135,3.5 to 2.012,fluid(c) + 0.12 nohead lt 8 dt 1
   } else {
     set label 3 ink(2, "retry") at 2.012,3.25 front
     set label 4 ink(4, "collision-longest") at 2.24,5.3 front
-    set label 5 ink(1, "metropolis, ").ink(3, "chain,") at 2.475,8.1 right front
+    set label 5 ink(1, "metropolis, ").ink(3, "chain,") at 2.475,8.3 right front
     set label 6 ink(6, "newton, ").ink(7, "dynamics") at 2.475,7.4 right front
   }
   plot curve("collision", c) using 1:2 with lines lt 5, curve("collision-longest", c) using 1:2 with lines lt 4, \
@@ -39,7 +39,7 @@ do for [j = 1:2] {
     "+" using (2.0):(fluid(c)) every ::0::0 with points pt 2 ps 1.1 lw 2 lc rgb "#000000"
   set tmargin screen 0.39; set bmargin screen 0.11
   unset label; unset arrow
-  set yrange [0.93:1.07]; set ytics 0.03; set format x "%g"
+  set yrange [0.93:1.075]; set ytics 0.05; set format x "%g"
   set xlabel "$R=r/a$" offset 0,0.5
   if (j == 1) { set label 9 "over dynamics" at screen 0.02,graph 0.5 center rotate; set format y "%.2f" } else { set format y "" }
   plot 1 with lines lt 7, over("retry", c, 3) using 1:2 with lines lt 2, over("collision", c, 3) using 1:2 with lines lt 5, \
