@@ -1,0 +1,37 @@
+# Fig. 4 of B: p(n_h) at c = .6 before and after shaking, windows on particles and on points; and what shaking changes.
+# data: neighbour-histogram
+set terminal cairolatex pdf size 12.6cm,11.6cm font ",10" fontscale 0.9
+set output out
+ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
+table(when, rule, centre, r) = data("neighbour-histogram", when.".histogram@".rule."@".centre."@".r.".tsv")
+# n, a thousandfold the change of p, its error as if before and after were independent
+change(rule, centre, r) = "< awk -F'\\t' '/^#/ || $1 == \"n\" {next} FNR == NR {p[$1] = $2; e[$1] = $3; next} {print $1 \"\\t\" 1000*($2 - p[$1]) \"\\t\" 1000*sqrt($3^2 + e[$1]^2)}' ".table("made", rule, centre, r)." ".table("shaken", rule, centre, r)
+unset key
+set multiplot
+set lmargin screen 0.105; set rmargin screen 0.985; set tmargin screen 0.985; set bmargin screen 0.50
+set xrange [3.5:16.5]; set xtics 2; set yrange [0:0.48]; set ytics 0.1
+set xlabel "$n_h$, centres in the window of $r_h=2.5$" offset 0,0.7; set ylabel "$p(n_h)$" offset 0.8
+set object 1 rectangle from 6,0 to 14,0.3 fs empty border lc rgb "#777777" dt 3 behind
+set label 1 ink(8, "axes of") at 14.1,0.285; set label 8 ink(8, "B's Fig.~4") at 14.1,0.255
+set label 2 ink(3, "on points") at 8.1,0.23 right
+set label 3 ink(2, "on particles, not counted") at 10.3,0.37 right
+set label 5 ink(1, "on particles, counted") at 12.4,0.37
+set label 6 "lines: as grown" at graph 0.98,0.95 right; set label 7 "symbols: after 60 shakes, retry" at graph 0.98,0.885 right
+plot for [w = 1:3] table("made", "retry", word("counted excluded random", w), "2.5") using 1:2:3 with yerrorlines lt w pt 0 lw 1.4, \
+  for [w = 1:3] table("shaken", "retry", word("counted excluded random", w), "2.5") using 1:2:3 with yerrorlines lt w dt 3 lw 1 pt (w == 1 ? 6 : w == 2 ? 4 : 8) ps 0.7
+unset object; unset label
+set tmargin screen 0.355; set bmargin screen 0.105
+set xtics 2; set ytics 2; unset ylabel
+do for [j = 1:3] {
+  r = word("2.2 2.5 3", j)
+  set lmargin screen 0.105 + 0.301*(j - 1); set rmargin screen 0.383 + 0.301*(j - 1)
+  set xrange [real(word("2.5 4.5 9.5", j)):real(word("13.5 15.5 22.5", j))]; set xtics 2; set yrange [-6:6]; set ytics 2
+  set xlabel "$n_h$" offset 0,0.7
+  unset label
+  if (j == 1) { set format y "$%g$"; set label "$10^3\\times$ change of $p$" at screen 0.02,graph 0.5 center rotate by 90 } else { set format y "" }
+  set label sprintf("$r_h=%s$", r) at graph 0.05,0.9
+  if (j == 2) { set label ink(2, "on particles, retry")."\\quad ".ink(8, "on particles, Metropolis")."\\quad ".ink(3, "on points, retry") at screen 0.545,0.39 center }
+  plot 0 with lines lt 8, change("metropolis", "excluded", r) using ($1 + 0.15):2:3 with yerrorbars lt 8 dt 1 pt 6 ps 0.5, \
+    change("retry", "excluded", r) using 1:2:3 with yerrorlines lt 2 pt 4 ps 0.55, change("retry", "random", r) using ($1 - 0.15):2:3 with yerrorlines lt 3 pt 8 ps 0.6
+}
+unset multiplot

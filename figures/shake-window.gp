@@ -1,0 +1,50 @@
+# The drop of the first peak against the window, the number of tries, and the shakes on the way.
+# data: shake-window shake-tries shake-way
+set terminal cairolatex pdf size 12.6cm,11.6cm font ",10" fontscale 0.9
+set output out
+ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
+# rows of a sweep on which the condition holds; columns by name
+rows(s, where) = "< awk -F'\\t' '/^#/ {next} !h++ || (".where.")' ".data(s, "sweep.tsv")
+per(v) = 100*v
+unset key
+set multiplot
+set logscale x
+set tmargin screen 0.955; set bmargin screen 0.565
+set xrange [0.004:0.28]; set xtics (".005" 0.005, ".02" 0.02, ".1" 0.1, "" 0.01, "" 0.04, "" 0.2); unset mxtics
+set yrange [-60:10]; set ytics 20
+set xlabel "window $R_{\\rm sh}$" offset 0,0.7
+do for [j = 1:3] {
+  phi = word("0.575 0.6 0.63", j); b = real(word("-43 -21 -4", j))
+  set lmargin screen 0.118 + 0.297*(j - 1); set rmargin screen 0.391 + 0.297*(j - 1)
+  unset label; unset arrow
+  if (j == 1) { set label "(a) change, \\%" at screen 0.018,graph 0.5 center rotate by 90; set format y "$%g$" } else { set format y "" }
+  set label sprintf("$\\phi=%s$", word(".575 .60 .63", j)) at graph 0.5,1.06 center
+  set label "B" at 0.02,b - 5.5 center
+  if (j == 3) { set label ink(8, "Metropolis, .01") at graph 0.98,0.42 right; set label "retry, by bins of" at graph 0.98,0.33 right
+    set label ink(1, ".001").", ".ink(2, ".01").", ".ink(3, ".05") at graph 0.98,0.24 right }
+  plot 0 with lines lt 8, \
+    rows("shake-window", "$1==\"metropolis\" && $3==".phi) using 2:(per(column("change.exact_0.01"))):(per(column("change.exact_0.01_err"))) with yerrorlines lt 8 dt 1 pt 1 ps 0.5, \
+    for [w = 1:3] rows("shake-window", "$1==\"retry\" && $3==".phi) using 2:(per(column("change.exact_".word("0.001 0.01 0.05", w)))):(per(column("change.exact_".word("0.001 0.01 0.05", w)."_err"))) \
+      with yerrorlines lt w pt 2*w + (w == 1 ? 7 : 1) ps 0.5, \
+    "+" using (0.02):(b) every ::0::0 with points lt 7 pt 12 ps 1.1
+}
+unset label
+set tmargin screen 0.41; set bmargin screen 0.10
+set lmargin screen 0.118; set rmargin screen 0.52
+set xrange [0.8:200]; set xtics ("1" 1, "2" 2, "5" 5, "15" 15, "150" 150); set yrange [-48:5]; set ytics 10; set format y "$%g$"
+set xlabel "$N_{\\rm sh}$, trials at most" offset 0,0.7
+set label "(b) change, \\%" at screen 0.018,graph 0.5 center rotate by 90
+set label "B" at 128,-43 right; set label "$R_{\\rm sh}=$ ".ink(1, ".01").", ".ink(2, ".02").", ".ink(3, ".05") at graph 0.95,0.80 right
+plot 0 with lines lt 8, "+" using (150):(-43) every ::0::0 with points lt 7 pt 12 ps 1.1, for [w = 1:3] rows("shake-tries", "$1==".word("0.01 0.02 0.05", w)." && $3==0.575") \
+  using 2:(per(column("change.contact_first_bin"))):(per(column("change.contact_first_bin_err"))) with yerrorlines lt w pt 2*w + (w == 1 ? 7 : 1) ps 0.5
+unset label
+set lmargin screen 0.64; set rmargin screen 0.985
+set xrange [0.15:40]; set xtics (".2" 0.2, "1" 1, "5" 5, "30" 30); set yrange [8.5:16]; set ytics 2; set format y "%g"
+set xlabel "collisions between shakes" offset 0,0.7
+set label "(c) first peak" at screen 0.565,graph 0.5 center rotate by 90
+set label ink(3, "Metropolis") at graph 0.95,0.98 right; set label ink(2, "retry") at graph 0.95,0.63 right
+set label "full: at the end of growth" at graph 0.95,0.17 right; set label "open: 10 shakes later" at graph 0.95,0.06 right
+way(w) = rows("shake-way", "$1==\"".word("metropolis retry", w)."\"")
+plot for [w = 1:2] way(w) using ($2*1.04):(column("shaken.contact_first_bin")):(column("shaken.contact_first_bin_err")) with yerrorlines lt (w == 1 ? 3 : 2) dt 2 pt (w == 1 ? 8 : 4) ps 0.55, \
+  for [w = 1:2] way(w) using ($2/1.04):(column("made.contact_first_bin")):(column("made.contact_first_bin_err")) with yerrorlines lt (w == 1 ? 3 : 2) ps 0.5
+unset multiplot
