@@ -103,7 +103,7 @@ static void test_pressure(int rule) {
 /* What two runs add up to is the mean of both, weighted by how long they were. */
 static void test_weights(int rule) {
   SamplerPlan plan = plan_of(rule);
-  SamplerReport part[2] = {{0}, {0}}, whole = {0};
+  SamplerReport part[2] = {0}, whole = {0};
   for (int again = 0; again < 2; again++) {
     Pack *pack = fluid(0.3, 11);
     Rng rng = rng_stream(5, 1, RNG_SHAKING);
