@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 set -u
 unset RANDPACK_SIMD GLIBC_TUNABLES
-randpack=$PWD/build/bin/randpack
+randpack=${RANDPACK:-$PWD/build/bin/randpack}
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 failed=0
 

@@ -100,6 +100,28 @@ static void test_pressure(int rule) {
   pack_free(&pack);
 }
 
+/* What two runs add up to is the mean of both, weighted by how long they were. */
+static void test_weights(int rule) {
+  SamplerPlan plan = plan_of(rule);
+  SamplerReport part[2] = {0}, whole = {0};
+  for (int again = 0; again < 2; again++) {
+    Pack *pack = fluid(0.3, 11);
+    Rng rng = rng_stream(5, 1, RNG_SHAKING);
+    Outcome out = {0};
+    Sampler *sampler = sampler_alloc(pack, &plan, &rng, &out);
+    for (int run = 0; run < 2; run++)
+      sampler_run(sampler, run ? 30 : 3, again ? &whole : &part[run], &out);
+    sampler_free(&sampler);
+    pack_free(&pack);
+  }
+  double sum = part[0].weight + part[1].weight;
+  double mean = (part[0].weight * part[0].Z + part[1].weight * part[1].Z) / sum;
+  gsl_test_rel(whole.Z, mean, 1e-13, "rule %d: a weighted mean", rule);
+  gsl_test_rel(whole.weight, sum, 1e-13, "of this weight");
+  gsl_test_rel(part[1].weight, 10 * part[0].weight, 0.25,
+               "a run ten times as long weighs ten times as much");
+}
+
 static void test_wrong(void) {
   Pack *pack = fluid(0.3, 11);
   memcpy(pack->x, pack->x + 3, 3 * sizeof *pack->x);
@@ -119,6 +141,8 @@ int main(void) {
     test_rule(rule);
   for (int rule = SAMPLER_CHAIN; rule <= SAMPLER_DYNAMICS; rule++)
     test_pressure(rule);
+  for (int rule = SAMPLER_CHAIN; rule <= SAMPLER_DYNAMICS; rule++)
+    test_weights(rule);
   test_wrong();
   return gsl_test_summary();
 }
