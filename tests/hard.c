@@ -339,7 +339,7 @@ static const struct {
     {"grow-three", 3, 1, 3, 0, 1, 0.01, 0.45, DONE, CRM_ISOTHERMAL, 0, 0},
     {"grow-eight", 3, 1, 8, 0, 1, 0.01, 0.52, DONE, CRM_ISOTHERMAL, 0, 0},
     {"grow-jam", 3, 1, 500, 0, 1, 0.1, 0.75, UNREACHED, CRM_ISOTHERMAL, 0, 0},
-    {"grow-slow", 3, 1, 16, 0, 1, 1e-5, 0.03, DONE, CRM_ISOTHERMAL, 0, 1e7},
+    {"grow-slow", 3, 1, 16, 0, 1, 1e-5, 0.01, DONE, CRM_ISOTHERMAL, 0, 1e7},
     {"grow-fast", 3, 1, 500, 0, 1, 10, 0.2, DONE, CRM_ISOTHERMAL, 0, 0},
     {"grow-fast-literal", 3, 1, 500, 0, 1, 1e4, 0.5, DONE, CRM_LITERAL, 0, 0},
     {"grow-dilute", 3, 1, 500, 0, 1, 0.1, 1e-6, DONE, CRM_ISOTHERMAL, 0, 0},

@@ -606,11 +606,6 @@ static void visits(void) {
 int main(void) {
   closed_forms(6.5);
   closed_forms(65);
-  slow_ones(1e-140, true);
-  slow_ones(1e-161, false);
-  slow_ones(1e-200, false);
-  visits();
-  slips();
   against_reference(3, 32, 0, 1, .50, .1, MOTION_EQUAL, 0, 4000);
   against_reference(3, 32, 0, 1, .54, .03, MOTION_EQUAL, .2, 5000);
   against_reference(2, 32, 0, 1, .70, .1, MOTION_EQUAL, 0, 4000);
@@ -621,6 +616,11 @@ int main(void) {
   against_reference(3, 33, 0, 1, .50, 1, MOTION_EQUAL, 0, 4000);
   against_reference(3, 3, 0, 1, .45, .001, MOTION_EQUAL, .15, 3000);
   against_reference(2, 3, 0, 1, .60, .001, MOTION_EQUAL, .15, 3000);
+  slow_ones(1e-140, true);
+  slow_ones(1e-161, false);
+  slow_ones(1e-200, false);
+  visits();
+  slips();
   lands(3, 1000, cube, 0, 1, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
   lands(3, 1000, cube, 0, 1, .575, CRM_LITERAL, 1, MOTION_EQUAL);
   lands(2, 1000, cube, 0, 1, .80, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
