@@ -10,14 +10,15 @@ at(m) = m > 0 ? m : 0.33
 set logscale x; set xrange [0.25:4500]; set xtics ("0" 0.33, 1, 10, 100, 1000); unset mxtics
 set xlabel "sweeps"
 unset key
-set multiplot layout 1,2 margins 0.09,0.985,0.19,0.97 spacing 0.12
-set ylabel "$g(2^+)$" offset 1.6,0
-set label ink(1, "Metropolis, $R_{\\rm sh}=.1$") at graph 0.05,0.36
-set label ink(2, "chains, straight") at graph 0.05,0.27
-set label ink(3, "chains, Newtonian") at graph 0.05,0.18
+set multiplot layout 1,2 margins 0.115,0.985,0.19,0.97 spacing 0.16
+set label "$g(2^+)$" at screen 0.015,graph 0.5 center rotate
+set label ink(1, "Metropolis") at graph 0.05,0.33
+set label ink(2, "straight chains") at graph 0.05,0.25
+set label ink(3, "Newtonian") at graph 0.05,0.17
 set label ink(4, "dynamics") at graph 0.05,0.09
 plot for [i = 1:4] curve(rule(i)) using (at($1)):"contact":"contact_err" with yerrorlines lt i
 unset label
-set ylabel "solid fraction" offset 1.2,0
+set label "solid fraction" at screen 0.52,graph 0.5 center rotate
+set ytics 0.05
 plot for [i = 1:4] curve(rule(i)) using (at($1)):"solid_fraction":"solid_fraction_err" with yerrorlines lt i
 unset multiplot

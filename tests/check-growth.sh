@@ -53,7 +53,7 @@ tell 'a pack that jams below the fraction: status 1, and what was reached' jams
 intervals() { run one interval --set make.interval=20 && audit "$tmp/interval/pack-0.xyz" 0.55 && ! cmp -s "$tmp"/{one,interval}/pack-0.xyz; }
 tell 'another interval is another pack' intervals
 rests() { run one rest --set make.rest=20 && audit "$tmp/rest/pack-0.xyz" 0.55 && ! cmp -s "$tmp"/{one,rest}/pack-0.xyz &&
-    [ "$(value collisions "$tmp/rest")" -ge $(($(value collisions "$tmp/one") + 2000)) ]; }
+    [ "$(value collisions "$tmp/rest")" -ge $(($(value collisions "$tmp/one") + 1800)) ]; }
 tell 'a rest moves the particles and keeps the fraction' rests
 limited() { ends 1 "$randpack" run "$tmp/one.scene" --set "make.$1" --out "$tmp/jam" && grep -q "$2" "$tmp/err"; }
 tell 'a budget is kept' limited budget=3 'budget of collisions is used up'

@@ -645,7 +645,7 @@ int main(void) {
   fails(32, .70, 3, 1e300, "jammed", .40, .30);
   pressure(.10, 500, 40);
   pressure(.30, 500, 40);
-  pressure(.45, 500, 40);
+  pressure(.45, 500, 80);
   reversal(5, .2, 20);
   reversal(8, .3, 20);
   same_bytes(3);
