@@ -147,7 +147,8 @@ static void constant(void) {
   Outcome out = {0};
   int status = crm_grow(pack, &plan, &rng, &report, &out);
   if (!status)
-    status = crm_equilibrate(pack, MOTION_EQUAL, 0, 10, 1e4, &rng, &report, &out);
+    status = crm_equilibrate(pack, MOTION_EQUAL, 50, 10, 1.05e4, &rng, &report,
+                             &out);
   gsl_test(status || report.collisions < 100000000 ||
                report.unaccounted > 1e-12 || report.drift > 1e-12 ||
                pack_audit(pack) < -2e-12,
