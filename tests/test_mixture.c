@@ -291,7 +291,42 @@ static void test_structure(void) {
   mixture_free(&m);
 }
 
+/* where the least value passes zero */
+static void test_least(void) {
+  MixtureSpecies s[3];
+  two(s, 1, 0.6, .3);
+  near(mixture_limit(s, 2), py_limit(), 2e-8, "limit of one size", .3, 0);
+  two(s, .313, .333, .5);
+  s[2] = (MixtureSpecies){2, 0}; /* absent: not asked */
+  double limit = mixture_limit(s, 2);
+  near(mixture_limit(s, 3), limit, 2e-9, "limit beside none", limit, 0);
+  for (int side = -1; side <= 1; side += 2) {
+    two(s, .313, .333, limit + 1e-6 * side);
+    Mixture *m = mixture_alloc(s, 2, 6, 0);
+    gsl_test(!(side * mixture_least(m).g < 0), "least at %.9f: %g",
+             limit + 1e-6 * side, mixture_least(m).g);
+    mixture_free(&m);
+  }
+  two(s, .313, .333, .6);
+  Mixture *m = mixture_alloc(s, 2, 6, 0);
+  MixtureLeast least = mixture_least(m);
+  double scan = 1;
+  for (size_t p = 0; p < 4; p++)
+    for (double r = s[p / 2].radius + s[p % 2].radius; r < 6; r += 1e-4)
+      scan = fmin(scan, mixture_g(m, p / 2, p % 2, r));
+  near(least.g, scan, 1e-6, "least", .6, least.r);
+  gsl_test(!(least.g <= scan), "least below the scan: %.9g, %.9g", least.g,
+           scan);
+  gsl_test(!(scan < -0.1), "impossible at 0.6: %g", scan);
+  mixture_free(&m);
+  two(s, .313, .333, 0);
+  m = mixture_alloc(s, 2, 6, 0);
+  near(mixture_least(m).g, 1, 0, "least of none", 0, 0);
+  mixture_free(&m);
+}
+
 int main(void) {
+  test_least();
   test_contact();
   test_pressure();
   test_one_size();
