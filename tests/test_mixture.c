@@ -205,11 +205,13 @@ static void test_curves(void) {
   check_curves(s, 5, 6, 0, 1e-11);
 }
 
-/* beyond the last kink of order one, at ratio 100 */
+/* beyond the first kink of the large species, at ratio 100 */
 static void test_ratio(void) {
   MixtureSpecies s[2];
   two(s, 0.01, 0.2, .5);
   check_curves(s, 2, 2.1, 0, 1e-11);
+  two(s, 0.02, 1e4, .6); /* large contact values: relative to them */
+  check_grid(s, 2, 2.2, 1e-8);
 }
 
 /* the first order in density is a lens of two spheres: the volume in which
