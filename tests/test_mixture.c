@@ -262,6 +262,7 @@ static double tail(double r, void *data) {
   return 4 * M_PI * h * r * (w->k > 0 ? sin(w->k * r) / w->k : r);
 }
 
+/* steps of which both diameters are multiples: no kink inside one */
 static double transform(Wave *w, double R, double reach) {
   gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(20);
   gsl_function f = {tail, w};
@@ -274,11 +275,12 @@ static double transform(Wave *w, double R, double reach) {
   return sum;
 }
 
-static void test_structure(void) {
+static void check_structure(double lambda, double xi, double phi, double reach,
+                            double error) {
   static const double wave[] = {0, 0.9, 3.3, 7.1};
   MixtureSpecies s[2];
-  two(s, 0.45, 0.5, 0.25);
-  Mixture *m = mixture_alloc(s, 2, 30, 0);
+  two(s, lambda, xi, phi);
+  Mixture *m = mixture_alloc(s, 2, reach, 0);
   for (int q = 0; q < 4; q++) {
     double S[4];
     mixture_structure(s, 2, wave[q], S);
@@ -286,11 +288,16 @@ static void test_structure(void) {
       Wave w = {m, p / 2, p % 2, wave[q]};
       double R = s[w.i].radius + s[w.j].radius;
       double n = sqrt(s[w.i].density * s[w.j].density);
-      near((w.i == w.j) + n * transform(&w, R, 30), S[p], 1e-7, "S_ij", 0.25,
+      near((w.i == w.j) + n * transform(&w, R, reach), S[p], error, "S_ij", phi,
            wave[q]);
     }
   }
   mixture_free(&m);
+}
+
+static void test_structure(void) {
+  check_structure(0.45, 0.5, 0.25, 30, 1e-9);
+  check_structure(0.3, 0.333, 0.5, 80, 1e-9);
 }
 
 /* where the least value passes zero */
