@@ -328,7 +328,7 @@ static void test_contact(int dim) {
 
 /* One row of small spheres on a large one, at a known distance each. */
 static void test_ratio(void) {
-  Species s[3] = {{"L", 10, 2}, {"S", 0.1, 2000}, {"none", 3, 0}};
+  Species s[3] = {{"L", 10, 12}, {"S", 0.1, 900}, {"none", 3, 0}};
   double side[3] = {60, 60, 60};
   Pack *pack = uniform(3, side, s, 3, false, 12);
   exact("ratio 100", pack);
@@ -339,6 +339,19 @@ static void test_ratio(void) {
   gsl_test(!(partials_contact(p, 0, 1, CONTACT_DEGREE).window <= 0.5 * .1 / 10),
            "the window is of the small");
   partials_free(&p);
+  /* the small in a cluster that is seen at once, but for a nearer one */
+  const double clump[] = {30, 30, 54}, near[] = {19.9, 19.9, 30.1};
+  size_t first[2] = {pack->n, pack->n};
+  for (size_t i = pack->n; i-- > 0;) {
+    first[pack_kind(pack, i)] = i;
+    for (size_t k = 0; k < 3 && pack_kind(pack, i) == 1; k++)
+      pack->x[3 * i + k] = clump[k] + pack->x[3 * i + k] / 12;
+  }
+  for (size_t k = 0; k < 3; k++) {
+    pack->x[3 * first[0] + k] = 30.1;
+    pack->x[3 * first[1] + k] = near[k];
+  }
+  nearest("a cluster", pack, 0.1);
   pack_free(&pack);
 }
 
