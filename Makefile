@@ -197,8 +197,8 @@ $(B)/test/%: tests/test_%.c $(MODULES:%=$(B)/san/%.o) $(REFERENCES) $(wildcard t
 	@$(CC) $(SAN) $(WARNINGS) -I$(B)/c -Itests $(filter %.c %.o,$^) $(LIBS) -o $@
 check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 minutes
 	@tests/run $(UNITS:%=$(B)/test/%) $(sort $(wildcard tests/check-*.sh))
-$(B)/slow: tests/slow.c $(OBJECTS)
-	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $^ $(LIBS) -o $@
+$(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
+	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
 check-slow: $(B)/bin/randpack $(B)/slow ## the long tests, under 45 minutes
 	@tests/run $(sort $(wildcard tests/slow-*.sh))
 lint: $(STAMPS) $(B)/c/prints.inc ## form: the web, the warnings, the layout, the prose

@@ -1,5 +1,6 @@
 /* The long tests of growth and of chains: `slow NAME`; tests/slow-*.sh run them
    all. */
+#include "few.h"
 #include "chain.h"
 #include "crm.h"
 #include "order.h"
@@ -23,20 +24,6 @@ static Pack *points(int dim, size_t n, size_t n2, double ratio, uint64_t seed) {
   return pack;
 }
 
-/* What N particles in a periodic box have, from the fluid's Z: chapter crm. */
-static double of_few(double phi, double n) {
-  const double h = 1e-3;
-  double Z[3], f[3], excess[3];
-  for (int k = 0; k < 3; k++) {
-    f[k] = phi + (k - 1) * h;
-    Z[k] = theory_pressure(THEORY_SCHULTZ, f[k]);
-    excess[k] = f[k] * (Z[k] - 1);
-  }
-  double chi = 2 * h / (f[2] * Z[2] - f[0] * Z[0]);
-  double curve = (excess[0] - 2 * excess[1] + excess[2]) / (h * h);
-  return Z[1] - phi * chi * curve / (2 * n);
-}
-
 /* Z of a fluid: blocks of 1000 collisions a particle. */
 static void pressure(double phi, size_t n, int blocks) {
   Pack *pack = points(3, n, 0, 1, 40 + n);
@@ -49,7 +36,7 @@ static void pressure(double phi, size_t n, int blocks) {
   if (!status)
     status = crm_equilibrate(pack, MOTION_EQUAL, 1000, blocks, 1000, &rng,
                              &report, &out);
-  double want = of_few(phi, (double)n), off = report.Z - want;
+  double want = few_pressure(phi, (double)n), off = report.Z - want;
   double most = 3 * report.Z_error + 2e-4 * want;
   gsl_test(status || fabs(off) > most,
            "phi=%g N=%zu: Z=%.5f +- %.5f, Schultz %.5f, with 1/N %.5f: %.2f se, "
@@ -114,7 +101,7 @@ static void images(double phi) {
     double slope = (py_g(py, side + h) - py_g(py, side - h)) / (2 * h);
     CrmReport report = in_box(phi, (size_t)n, 1);
     at32 = k == 1 ? report : at32;
-    left[k] = report.Z - of_few(phi, n);
+    left[k] = report.Z - few_pressure(phi, n);
     error[k] = report.Z_error;
     gsl_test(!(left[k] * slope > 0) || fabs(left[k]) < 3 * error[k] ||
                  fabs(second(phi)) / (n * n) > .5 * error[k],
@@ -223,7 +210,7 @@ static void chains(int dim, size_t n, size_t n2, double ratio, double phi,
     chain_store(chain, pack);
     least = fmin(least, pack_audit(pack) / (2 * pack_smallest(pack)));
   }
-  double off = fluid ? (report.Z - of_few(phi, (double)n)) / report.Z_error : 0;
+  double off = fluid ? (report.Z - few_pressure(phi, (double)n)) / report.Z_error : 0;
   gsl_test(out.status || least < -1e-12 || fabs(off) > 4 || report.cut,
            "%d-D N=%zu+%zu at %g, %s: gap %.2g after %.0f lifts, Z = %.4f +- "
            "%.4f, off by %.2f se",

@@ -1,5 +1,6 @@
 /* Chains of events: against a plain kernel, closed forms, theory and
    event-driven dynamics. */
+#include "few.h"
 #include "chain.h"
 #include "crm.h"
 #include "theory.h"
@@ -322,18 +323,6 @@ static void normals(void) {
 }
 
 /* --------------------------------------------------- pressure */
-/* Schultz and Kofke's, for n spheres, by the correction of chapter crm. */
-static double schultz(double phi, double n) {
-  double h = 1e-3, b[3], p[3];
-  for (int k = 0; k < 3; k++) {
-    double at = phi + (k - 1) * h, Z = theory_pressure(THEORY_SCHULTZ, at);
-    b[k] = at * (Z - 1);
-    p[k] = at * Z;
-  }
-  double chi = 2 * h / (p[2] - p[0]);
-  return b[1] / phi + 1 - phi * chi / (2 * n) * (b[0] - 2 * b[1] + b[2]) / (h * h);
-}
-
 /* From packs that dynamics has brought to equilibrium. Blocks are shorter than
    the memory of straight chains, which get twice as many lifts. */
 static void pressure(double phi, uint64_t lifts) {
@@ -347,7 +336,7 @@ static void pressure(double phi, uint64_t lifts) {
     chain_run(chain, lifts / 4, &rng, &report);
     memset(&report, 0, sizeof report);
     chain_run(chain, rule ? lifts : 2 * lifts, &rng, &report);
-    double exact = schultz(phi, 500), off = report.Z - exact;
+    double exact = few_pressure(phi, 500), off = report.Z - exact;
     chain_store(chain, pack);
     gsl_test(fabs(off) > 3.5 * report.Z_error || fabs(off) > .01 * exact ||
                  report.Z_error > .005 * exact || report.cut ||

@@ -1,4 +1,5 @@
 /* The engine: against the plain kernel, against closed forms and theory. */
+#include "few.h"
 #include "crm.h"
 #include "engine.h"
 #include "ref_motion.h"
@@ -151,18 +152,6 @@ static void fails(size_t n, double target, double rate, double most,
   pack_free(&pack);
 }
 
-/* Schultz and Kofke's, for n spheres, by the correction of chapter crm. */
-static double schultz(double phi, double n) {
-  double h = 1e-3, b[3], p[3];
-  for (int k = 0; k < 3; k++) {
-    double at = phi + (k - 1) * h, Z = theory_pressure(THEORY_SCHULTZ, at);
-    b[k] = at * (Z - 1);
-    p[k] = at * Z;
-  }
-  double chi = 2 * h / (p[2] - p[0]);
-  return b[1] / phi + 1 - phi * chi / (2 * n) * (b[0] - 2 * b[1] + b[2]) / (h * h);
-}
-
 static void pressure(double phi, size_t n, double blocks) {
   Pack *pack = random_points(3, n, cube, 1, 0, 1, 77);
   CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = .05, .fraction = phi,
@@ -173,7 +162,7 @@ static void pressure(double phi, size_t n, double blocks) {
   crm_grow(pack, &plan, &rng, &report, &out);
   int status = crm_equilibrate(pack, MOTION_EQUAL, 60, 20, blocks, &rng,
                                &report, &out);
-  double exact = schultz(phi, (double)n), off = report.Z - exact;
+  double exact = few_pressure(phi, (double)n), off = report.Z - exact;
   gsl_test(status || fabs(off) > 4 * report.Z_error ||
                report.Z_error > .0025 * exact || report.unaccounted > 1e-12 ||
                pack_audit(pack) < -2e-12,
