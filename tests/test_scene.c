@@ -150,8 +150,9 @@ static void test_fits(void) {
   Scene *s = scene(plain);
   Box box = {3, {24, 24.5, 23}};
   Outcome out = {0};
-  gsl_test_int(scene_fits(s, &box, 1.5, &out), DONE, "a reach of 6 a fits into a box of 23 with a = 1.5");
-  gsl_test_int(scene_fits(s, &box, 2, &out), WRONG, "but not with a = 2");
+  Species one = {.radius = 1.5, .count = 1}, two = {.radius = 2, .count = 1};
+  gsl_test_int(scene_fits(s, &box, &one, 1, &out), DONE, "a reach of 6 a fits into a box of 23 with a = 1.5");
+  gsl_test_int(scene_fits(s, &box, &two, 1, &out), WRONG, "but not with a = 2");
   gsl_test(!strstr(out.text, "the largest reach here is 5.75"), "which is said: %s", out.text);
   scene_free(&s);
 }

@@ -1,0 +1,34 @@
+#!/bin/bash
+# tests/atlas.sh NAME...: run these scenes of figures/ unless data/atlas/NAME holds them already, and put there their tables,
+# the same of their first realization alone (the probe), and a record: the scene, and what it took.
+# tests/atlas.sh --probe NAME: does the program of today make that first realization as it was recorded?
+set -eu -o pipefail
+field() { sed -n "s/^$1[[:space:]]*: //p" /proc/cpuinfo | head -1; }
+same_scene() { sed '/^#/d' "data/atlas/$1/record" 2> /dev/null | cmp -s - <(sed '/^ *#/d' "figures/$1.scene"); }
+rows() { sed '/^#/d' "$1"; }
+probe() { build/bin/randpack run "figures/$1.scene" --set realizations=1 --out "$2"; }
+if [ "$1" = --probe ]; then
+  name=$2
+  same_scene "$name" || { echo "data/atlas/$name: recorded with another scene; make atlas"; exit 1; }
+  probe "$name" "build/data/$name.probe"
+  lost=$(rows "data/atlas/$name/probe.tsv" | grep -cvxFf <(rows "build/data/$name.probe/summary.tsv") || true)
+  [ "$lost" = 0 ] || { echo "data/atlas/$name: $lost rows of its first realization come out otherwise today; make atlas"; exit 1; }
+  exit
+fi
+for name; do
+  to=data/atlas/$name
+  [ -z "${FRESH:-}" ] && same_scene "$name" && continue
+  echo "  record $name"
+  rm -rf "$to.new"
+  mkdir -p data/atlas
+  TIMEFORMAT='%U'
+  took=$( { time build/bin/randpack run "figures/$name.scene" --out "$to.new" >&3; } 3>&1 2>&1 )
+  probe "$name" "$to.new/probe"
+  mv "$to.new/probe/summary.tsv" "$to.new/probe.tsv"
+  rm -r "$to.new/probe"
+  { echo "# processor: $(field 'model name')"
+    echo "# date: $(date -u +%Y-%m-%d), seconds of the processor: $took"
+    sed '/^ *#/d' "figures/$name.scene"; } > "$to.new/record"
+  rm -rf "$to"
+  mv "$to.new" "$to"
+done
