@@ -125,6 +125,34 @@ static void brute_windows(const Pack *pack, double radius, const char *name) {
   }
 }
 
+/* Windows on the centres of another pack: on the pack's own centres each counts
+   itself; on others', against brute force. */
+static void windows_around(const Pack *pack, double radius, const char *name) {
+  size_t dim = (size_t)pack->box.dim;
+  Rng rng = rng_stream(71, 4, RNG_MEASURE);
+  Windows *own = order_windows_alloc(), *same = order_windows_alloc();
+  order_windows(pack, radius, WINDOWS_COUNTED, 0, &rng, own);
+  order_windows_around(pack, pack, radius, same);
+  int wrong = own->size != same->size;
+  for (size_t n = 0; !wrong && n < own->size; n++)
+    wrong += own->p[n] != same->p[n];
+  gsl_test_int(wrong, 0, "%s: windows around its own centres count them", name);
+  Species few = {.radius = 0.1, .count = 7};
+  Pack *others = pack_alloc(&pack->box, &few, 1, false);
+  double mean = 0;
+  for (size_t i = 0; i < others->n; i++) {
+    for (size_t k = 0; k < dim; k++)
+      others->x[i * dim + k] = rng_uniform(&rng) * pack->box.side[k];
+    mean += (double)count(pack, others->x + i * dim, radius) / 7;
+  }
+  order_windows_around(others, pack, radius, same);
+  gsl_test_abs(same->mean, mean, 1e-12 * (1 + mean), "%s: and around others", name);
+  gsl_test_int((int)same->windows, 7, "%s: as many as there are others", name);
+  pack_free(&others);
+  order_windows_free(&own);
+  order_windows_free(&same);
+}
+
 static void brute_nearest(const Pack *pack, bool gap, const char *name) {
   size_t dim = (size_t)pack->box.dim;
   double *nearest = memory(pack->n, sizeof *nearest), d[3], square, sum = 0;
@@ -233,6 +261,7 @@ static void brute_bonds(const Pack *pack, BondRule rule, const char *name) {
 static void brute_all(const Pack *pack, double scale, const char *name) {
   brute_windows(pack, 1.13 * scale, name);
   brute_windows(pack, 0.271 * scale, name);
+  windows_around(pack, 0.83 * scale, name);
   brute_nearest(pack, false, name);
   brute_nearest(pack, true, name);
   brute_contacts(pack, 0, name);
