@@ -40,7 +40,7 @@ SAN      := $(filter-out -O3 -g1,$(CFLAGS)) -O1 -g -fsanitize=address,undefined 
             -fno-sanitize-recover=undefined
 B        := build
 
-.PHONY: FRESH help deps build paper data check check-slow lint mutants bench install clean
+.PHONY: FRESH help deps build paper data atlas check check-slow lint mutants bench install clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
@@ -121,6 +121,17 @@ $(B)/data/%.checked: figures/%.scene $(B)/bin/randpack
 	@{ $(B)/bin/randpack plan $< | grep '^fingerprint'; sed '/^ *#/d' $<; } | cpif $(B)/data/$*.key
 	@touch $@
 $(B)/data/%.key: $(B)/data/%.checked ;
+# Scenes with a line `# atlas` are too long for the book, which takes their tables from their record under data/atlas
+# when the program of today makes their first realization as it was recorded.
+ATLAS := $(patsubst figures/%.scene,%,$(shell grep -lx '. atlas' figures/*.scene))
+$(ATLAS:%=$(B)/data/%/summary.tsv): $(B)/data/%/summary.tsv: $(B)/data/%.key data/atlas/%/record tests/atlas.sh $(if $(FRESH),FRESH)
+	@echo '  verify $*'
+	@[ -z "$(FRESH)" ] || FRESH=1 tests/atlas.sh $*
+	@tests/atlas.sh --probe $*
+	@rm -rf $(@D) && cp -r data/atlas/$* $(@D)
+	@touch $@
+data/atlas/%/record:
+	@echo 'data/atlas/$*: not recorded; make atlas'; exit 1
 $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@echo '  compute $*'
 	@rm -rf $(@D)
@@ -138,6 +149,8 @@ $(B)/data/seconds/summary.tsv: data/bench-seconds.tsv tests/bench.c $(BENCHED:%=
 	@$(B)/bench recorded $< $(@D)
 FRESH: ;
 data: $(SCENES:%=$(B)/data/%/summary.tsv) ## run every computation
+atlas: $(B)/bin/randpack ## the runs that are too long for the book, recorded under data/ (an hour)
+	@tests/atlas.sh $(ATLAS)
 
 # The hard cases, too, run again when the code has changed, not the prose.
 $(B)/hard: tests/hard.c $(OBJECTS)
@@ -153,7 +166,7 @@ $(B)/figures/%.d: figures/%.gp
 	@{ printf '$(B)/figures/$*.tex:'; sed -n 's/^# data://p' $< | tr ' ' '\n' | \
 	  sed -n '/\//{s|^| |p;b};s|.\+| $(B)/data/&/summary.tsv|p' | tr -d '\n'; echo; } | cpif $@
 	@touch $@
-ifneq ($(filter help deps clean install bench build lint mutants,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
+ifneq ($(filter help deps clean install bench build lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
 -include $(FIGURES:%=$(B)/figures/%.d)
 endif
 $(B)/figures/%.tex: figures/%.gp figures/style.gp $(wildcard figures/*.awk)
