@@ -10,11 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LAWS = 16, N = 20000 };
+enum { LAWS = 17, N = 20000 };
 static const double four[] = {0.5, 1, 2, 8}, through[] = {0, 0.25, 0.25, 2},
                     atom[] = {30, 50, 120, 120}, two[] = {0.125, 1},
                     straight[] = {0, 1}, all[] = {1, 1},
-                    ten[] = {0.06, 0.1, 0.25, 0.5, 1, 1.4, 2.12, 2.8, 4, 6},
+                    ten[] = {0.05, 0.1, 0.25, 0.5, 1, 1.4, 2.12, 2.8, 4, 6},
                     sand[] = {2, 5, 12, 22, 37, 46, 58, 71, 88, 100};
 
 static Sizes lognormal(int dim, double spread, double least, double most) {
@@ -48,6 +48,7 @@ static void laws(int dim, Sizes s[LAWS]) {
   int k = 0;
   s[k++] = lognormal(dim, 0.25, 0, (double)INFINITY);
   s[k++] = lognormal(dim, 1, 0, (double)INFINITY);
+  s[k++] = lognormal(dim, 3, 0, (double)INFINITY);
   s[k++] = lognormal(dim, 0.5, 0.3, 2);
   s[k++] = lognormal(dim, 0.2, 1.3, 1.5); /* in the tail */
   s[k++] = lognormal(dim, 0.2, 0, 0.4);
@@ -93,7 +94,9 @@ static void ends(const Sizes *s, double *from, double *to) {
   }
   bool normal = s->law == SIZES_LOGNORMAL;
   *from = normal ? fmax(s->least, s->radius * exp(-10 * s->spread)) : s->least;
-  *to = normal ? fmin(s->most, s->radius * exp(14 * s->spread)) : s->most;
+  *to = normal ? fmin(s->most,
+                      s->radius * exp((10 + s->dim * s->spread) * s->spread))
+               : s->most;
 }
 
 /* of everything up to a; an end of a class is an end of a quadrature */
@@ -170,7 +173,16 @@ static void test_fill(const Sizes *s, int k, size_t n) {
   sizes_compare(s, a, n, &number, &volume);
   gsl_test(!(number < 1. / (double)n), "law %d, %zu: one particle, %g", k, n,
            number * (double)n);
-  double largest = gsl_pow_int(a[n - 1], s->dim) / volumes(s, a, n);
+  double other[2];
+  for (size_t i = 0; i < n / 2; i++) {
+    double swap = a[i];
+    a[i] = a[n - 1 - i];
+    a[n - 1 - i] = swap;
+  }
+  sizes_compare(s, a, n, other, other + 1);
+  gsl_test(other[0] != number || other[1] != volume, "law %d, %zu: any order",
+           k, n);
+  double largest = gsl_pow_int(a[0], s->dim) / volumes(s, a, n);
   gsl_test(!(volume < largest + 1e-9), "law %d, %zu: its volume, %g", k, n,
            volume / largest);
 }
@@ -263,9 +275,20 @@ static void test_sieve(void) {
   gsl_test_rel(sizes_passing(&s, 1.7), 0.125, 1e-15, "an empty class");
   sizes_fill(&s, N, a);
   int gap = 0;
+  double number, volume;
   for (int i = 0; i < N; i++)
     gap += a[i] > 1.0001 && a[i] < 1.9999;
   gsl_test(gap > 1, "one particle may straddle: %d", gap);
+  const double within[] = {0, 0, 1, 1};
+  s = sieve(3, 4, four, within);
+  gsl_test(sizes_passing(&s, 0.7) != 0 || sizes_number(&s, 1) != 0,
+           "nothing in an empty class at the beginning");
+  gsl_test_rel(sizes_passing(&s, sqrt(2)), 0.5, 1e-15, "between empty ones");
+  gsl_test(sizes_number(&s, 2) != 1, "nothing in one at the end");
+  sizes_fill(&s, 3, a);
+  sizes_compare(&s, a, 3, &number, &volume);
+  gsl_test(!(a[0] > 1 && a[2] < 2 && number < 1. / 3), "between its ends: %g",
+           number);
 }
 
 static void test_one_size(void) {
