@@ -1,11 +1,11 @@
 # The shells of fcc over g of packs grown to .575 and .63: the second is where the packs have their gap.
 # data: lattice-fcc first-peak
-set terminal cairolatex pdf size 12.6cm,6.6cm font ",10"
+set terminal cairolatex pdf size 12.6cm,5.7cm font ",10"
 set output out
 ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 g(c) = data("first-peak", sprintf("made.rdf@retry@%g.tsv", c))
 unset key
-set lmargin screen 0.085; set rmargin screen 0.985; set tmargin screen 0.98; set bmargin screen 0.19
+set lmargin screen 0.085; set rmargin screen 0.985; set tmargin screen 0.98; set bmargin screen 0.21
 set xrange [2.38:4.72]; set xlabel "$R=r/a$"; set xtics 0.5
 set yrange [0:2.05]; set ytics 0.5
 set y2range [0:49.2]

@@ -1,6 +1,6 @@
 # What B (10), (12), (13) and (20) give up: the sum rule, and the symmetry of g_12.
 # data: theory-curves
-set terminal cairolatex pdf size 12.6cm,7.2cm font ",10"
+set terminal cairolatex pdf size 12.6cm,6.8cm font ",10"
 set output out
 ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 quantity(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("theory-curves", "summary.tsv"))))
@@ -19,7 +19,7 @@ set label 4 ink(2, "Willis (12)") at 0.325,0.21 front
 set label 5 ink(3, "Kanaun (13)") at 0.23,-0.33 front
 set label 6 ink(1, "Percus--Yevick") at 0.09,0.82
 set object 1 rectangle from graph 0,graph 0 to graph 1,first 0 fc rgb "#eeeeee" fs solid noborder behind
-set label 7 ink(8, "no pack") at 0.015,-1.4 front
+set label 7 ink(8, "no pack") at 0.015,-1.42 front
 phis = "0.1 0.2 0.3 0.49 0.575 0.6"
 marks(n) = sprintf("< awk -F'\\t' '$1 ~ /^%s_[0-9.]*_S0$/ {split($1, p, \"_\"); print p[2] \"\\t\" $2}' %s", n, data("theory-curves", "summary.tsv"))
 plot [x=0:0.64] 1 - 8*x with lines lt 8 dt 1 lw 1.4, 0 with lines lt 2, kanaun(x) with lines lt 3 dt 2, (1 - x)**4/(1 + 2*x)**2 with lines lt 1, \
