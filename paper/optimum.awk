@@ -71,6 +71,6 @@ END {
   }
   d = s0 * s2 - s1 * s1; slope = (s0 * t1 - s1 * t0) / d
   row("slope", -slope, sqrt(noise * s0 / d)); row("fraction@0", (s2 * t0 - s1 * t1) / d, sqrt(noise * s2 / d))
-  row("layer", layer1, sqrt((layer2 - layer1 * layer1) / 2))
-  row("layer_slope", 6 * layer1 * phi0 * phi0)
+  spread = layer2 - layer1 * layer1; spread = spread > 0 ? sqrt(spread / 2) : 0
+  row("layer", layer1, spread); row("layer_slope", 6 * layer1 * phi0 * phi0, 6 * phi0 * phi0 * spread)
 }
