@@ -18,9 +18,11 @@ set label 1 ink(8, "Furnas") at 0.59,0.828 right
 set label 2 "B: $.868$" at 0.215,0.878
 set arrow 1 from 0.2,0.868 to 1,0.868 nohead lt 7 dt 3 lw 0.8
 set label 3 "$\\triangledown$ Maggi, 6.5:1" at 0.785,0.835
-# each curve is named at its first point
-do for [i = 1:5] { r = word(sizes, i)
-  set label 10 + i ink(i, word(names, i)) at first_of(r, 0) - 0.015,first_of(r, 1) + real(word("0 0 -0.003 -0.007 0.007", i)) right }
+# the flat curves are named at their first points, the others where there is room
+do for [i = 1:3] { r = word(sizes, i)
+  set label 10 + i ink(i, word(names, i)) at first_of(r, 0) - 0.015,first_of(r, 1) right }
+set label 14 ink(4, word(names, 4)) at 0.555,0.727
+set label 15 ink(5, word(names, 5)) at 0.63,0.787 right
 plot [0.2:1] (x < 1/(2 - phi0) ? fine(x, 0) : coarse(x)) with lines lt 8 lw 1.4, \
   for [i = 3:5] (fine(x, word(sizes, i)) < coarse(x) ? fine(x, word(sizes, i)) : NaN) with lines lt i lw 0.8 dt 3, \
   for [i = 1:5] curve(word(sizes, i)) using ($2/(1 + $2)):"fraction":"fraction_err" with yerrorlines lt i pt int(word(points, i)) ps 0.55 lw 1.1, \
