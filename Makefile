@@ -137,6 +137,10 @@ $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@rm -rf $(@D)
 	@$(B)/bin/randpack run figures/$*.scene --out $(@D)
 	@touch $@
+# The densest of a map: its rows, fitted.
+$(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/summary.tsv
+	@mkdir -p $(@D)
+	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
 # Speed against error: the operations here, the seconds from their record.
 BENCHED := outcome simd box rng pack cells rsa pairs contact py table \
   near motion events engine crm shake chain theory flags
@@ -179,7 +183,7 @@ $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 
 # ---------------------------------------------------------------- the book
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
-  $(B)/data/seconds/summary.tsv
+  $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -f paper/values.awk $(SUMMARIES) > $@
