@@ -7,8 +7,8 @@ made = data("unimodal-peaks", "made.rdf@retry@60.tsv")
 shaken(rule, M) = data("unimodal-peaks", sprintf("shaken.rdf@%s@%d.tsv", rule, M))
 theory = data("theory-curves", "theory.tsv")
 summary(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("unimodal-peaks", "summary.tsv"))))
-# per cent by which g is changed, of five bins taken together; errors as if before and after were independent
-change(rule) = "< paste ".made." ".shaken(rule, 60)." | awk -F'\\t' '/^#/ || !h++ || $1<2.5 || $1>4.5 {next} {r += $1; a += $2; e += $3*$3; b += $5; f += $6*$6} ++n == 5 {printf \"%g\\t%g\\t%g\\n\", r/5, 100*(b/a - 1), 100*b/a*sqrt(e/a/a + f/b/b); n = r = a = b = e = f = 0}'"
+# per cent by which g is changed, of five bins taken together; errors of the differences of the same packs
+change(rule) = "< awk -F'\\t' '/^#/ || !h++ || $1<2.5 || $1>4.5 {next} {r += $1; a += $2 - $4; c += $4; e += $5*$5} ++n == 5 {printf \"%g\\t%g\\t%g\\n\", r/5, 100*c/a, 100*sqrt(e)/a; n = r = a = c = e = 0}' ".shaken(rule, 60)
 unset key
 set style fill transparent solid 0.25 noborder
 set multiplot

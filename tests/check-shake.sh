@@ -30,6 +30,9 @@ changes() { awk -F'\t' -v q="$1" '{ v[$1] = $2 } END { r = v["shaken." q] / v["m
     exit !(r * r < 1e-20 && v["min_gap"] <= v["made.min_gap"] && v["min_gap"] > -1e-12) }' "$tmp/one/summary.tsv"; }
 tell 'the change is a ratio less one' changes contact_first_bin
 tell 'and that of a peak is one of heights' changes peak1_g
+told() { paste "$tmp/one/made.rdf.tsv" "$tmp/one/shaken.rdf.tsv" | awk -F'\t' '/^#/ || $1 == "R" { next } { d = $5 - $2 - $7; n++
+    if (d * d > 1e-20 || $8 > sqrt($3 * $3 + $6 * $6) * 3 || $1 != $4) bad++; some += $7 != 0 } END { exit !(n > 40 && some > 30 && !bad) }'; }
+tell 'the table after shaking tells what has changed' told
 marks() { awk -F'\t' '/^#/ { next } !h++ { for (i = 1; i <= NF; i++) c[$i] = i; next }
     { m[n + 0] = $1; w[n + 0] = $c["wandered"]; n++ }
     END { exit !(m[0] == 0 && m[1] == 1 && m[2] == 5 && m[3] == 20 && w[0] == 0 && w[1] > 0 && w[3] > w[2] && w[2] > w[1]) }' \
