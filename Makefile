@@ -203,7 +203,7 @@ $(B)/test/%: tests/test_%.c $(B)/san/all.a $(wildcard tests/*.h)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -I$(B)/c -Itests $< $(B)/san/all.a $(LIBS) -o $@
 check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 minutes
-	@tests/run $(UNITS:%=$(B)/test/%) $(sort $(wildcard tests/check-*.sh))
+	@tests/run $(sort $(wildcard tests/check-*.sh)) $(UNITS:%=$(B)/test/%)
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
 check-slow: $(B)/bin/randpack $(B)/slow ## the long tests, under 45 minutes
