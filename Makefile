@@ -36,7 +36,7 @@ CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-ma
             -ffile-prefix-map=$(CURDIR)=.
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Werror
 LIBS     := -lconfig -lgsl -lgslcblas -lm
-SAN      := $(filter-out -O3 -g1,$(CFLAGS)) -O1 -g -fsanitize=address,undefined \
+SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined
 B        := build
 
@@ -105,6 +105,9 @@ $(B)/obj/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
 	@echo '  compile $*'
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 $(B)/san/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
+$(B)/san/ref_%.o: tests/ref_%.c | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 -include $(wildcard $(B)/obj/*.d $(B)/san/*.d)
@@ -208,12 +211,16 @@ paper: $(B)/paper.pdf ## build/paper.pdf: everything computed, drawn and woven
 	@echo 'build/paper.pdf'
 
 # ---------------------------------------------------------------- tests
-# One program a module, with the sanitizers; then the command itself.
-$(B)/test/%: tests/test_%.c $(MODULES:%=$(B)/san/%.o) $(REFERENCES) $(wildcard tests/*.h)
+# One program a module, with the sanitizers; then the command itself. All
+# objects and references are compiled once; a program takes what it needs.
+$(B)/san/all.a: $(MODULES:%=$(B)/san/%.o) $(REFERENCES:tests/%.c=$(B)/san/%.o)
+	@rm -f $@
+	@ar rcs $@ $^
+$(B)/test/%: tests/test_%.c $(B)/san/all.a $(wildcard tests/*.h)
 	@mkdir -p $(@D)
-	@$(CC) $(SAN) $(WARNINGS) -I$(B)/c -Itests $(filter %.c %.o,$^) $(LIBS) -o $@
+	@$(CC) $(SAN) $(WARNINGS) -I$(B)/c -Itests $< $(B)/san/all.a $(LIBS) -o $@
 check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 minutes
-	@tests/run $(UNITS:%=$(B)/test/%) $(sort $(wildcard tests/check-*.sh))
+	@tests/run $(sort $(wildcard tests/check-*.sh)) $(UNITS:%=$(B)/test/%)
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
 check-slow: $(B)/bin/randpack $(B)/slow ## the long tests, under 45 minutes

@@ -1,13 +1,16 @@
 #!/bin/bash
 # tests/check-bytes.sh: the same bytes on any number of threads and any processor, for every scene of
-# figures/ with two realizations, and for some that no figure shows. A scene that is long even so has a line
+# figures/ with two realizations, and for some that no figure shows. The former run in the two variants that have
+# nothing in common, the latter in all. A scene that is long even so has a line
 # `# small: --set KEY=VALUE ...` with what makes it short.
 . tests/bytes.sh
+all=("${variants[@]}") variants=(one old)
 small() { same_bytes "$1" "$2" --set realizations=2 $(grep -q '^side' "$1" && echo --set side=20) $(sed -n 's/^# small://p' "$1"); }
 for file in figures/*.scene; do
   name=${file##*/}
   tell "the same bytes of ${name%.scene} with ${variants[*]}" small "$file" "${name%.scene}"
 done
+variants=("${all[@]}")
 cat > "$tmp/mixed.scene" <<'END'
 dimension = 3; seed = 31; realizations = 5; box = [1.0, 1.3, 0.9]; gap = 0.02; save = true;
 species = ( { name = "A"; radius = 1.0; volume = 0.5; }, { name = "B"; radius = 0.6; volume = 0.3; },
@@ -30,7 +33,15 @@ make = { method = "crm"; growth = 0.2; mass = "volume"; rest = 4; };
 measure = { rdf = { reach = 3.0; }; order = {}; pressure = { warm = 4; blocks = 4; each = 4; }; };
 sweep = ( { key = "make.protocol"; values = ("literal", "isothermal"); }, { key = "make.start"; values = ("points", "rsa"); } );
 END
-for name in mixed discs grown; do
+cat > "$tmp/shaken.scene" <<'END'
+dimension = 3; seed = 6; realizations = 3; save = true; number = 400; fraction = 0.5;
+species = ( { name = "A"; radius = 1.0; volume = 0.7; }, { name = "B"; radius = 0.5; volume = 0.3; sizes = { law = "lognormal"; spread = 0.2; }; } );
+make = { method = "crm"; growth = 0.2; };
+shake = { radius = 0.05; sweeps = 6; samples = 2; apart = 2; };
+measure = { partials = { scale = "r"; reach = [3.0]; window = 2.5; }; };
+sweep = ( { key = "shake.rule"; values = ("metropolis", "retry", "collision", "collision-longest", "chain", "newton", "dynamics"); } );
+END
+for name in mixed discs grown shaken; do
   tell "the same bytes of $name with ${variants[*]}" same_bytes "$tmp/$name.scene" $name
 done
 other_seed() { ends 0 "$randpack" run "$tmp/discs.scene" --set seed=0 --out "$tmp/seed" && ! diff -rq "$tmp/seed" "$tmp/one/discs"; }

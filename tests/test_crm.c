@@ -302,7 +302,7 @@ static void same_bytes(int dim) {
     motion_stir(engine->motion, engine->order, &rng);
     engine->motion->size = 0;
     engine->motion->growth = .05;
-    for (int w = 0; w < 12; w++) {
+    for (int w = 0; w < 6; w++) {
       engine_sync(engine, engine->now, 1);
       engine_run(engine, (1 - engine->motion->size) / .05, 1000);
     }
@@ -613,9 +613,9 @@ int main(void) {
   lands(3, 1000, cube, 0, 1, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
   lands(3, 1000, cube, 0, 1, .575, CRM_LITERAL, 1, MOTION_EQUAL);
   lands(2, 1000, cube, 0, 1, .80, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
-  lands(3, 84, cube, 916, .313, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
-  lands(3, 3, cube, 800, .1, .55, CRM_ISOTHERMAL, .1, MOTION_EQUAL);
-  lands(3, 3, cube, 800, .1, .55, CRM_LITERAL, .1, MOTION_VOLUME);
+  lands(3, 42, cube, 458, .313, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, 3, cube, 300, .1, .55, CRM_ISOTHERMAL, .1, MOTION_EQUAL);
+  lands(3, 3, cube, 300, .1, .55, CRM_LITERAL, .1, MOTION_VOLUME);
   lands(2, 20, cube, 1000, .1, .75, CRM_ISOTHERMAL, .1, MOTION_EQUAL);
   lands(3, 300, rod, 0, 1, .55, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
   lands(3, 20, rod, 0, 1, .4, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
@@ -630,7 +630,7 @@ int main(void) {
   fails(1, .6, .1, 0, "own image", M_PI / 6, 1e-9);
   fails(2, .69, .01, 0, "jammed", M_PI * sqrt(3) / 8, 1e-6);
   fails(500, .75, .1, 1e6, "jammed", .64, .06);
-  fails(300, .70, .003, 0, "budget", .40, .30);
+  fails(100, .70, .003, 0, "budget", .40, .30);
   fails(32, .70, 3, 1e300, "jammed", .40, .30);
   pressure(.10, 500, 40);
   pressure(.30, 500, 40);
