@@ -34,7 +34,7 @@ measure = { rdf = { reach = 3.0; }; order = {}; pressure = { warm = 4; blocks = 
 sweep = ( { key = "make.protocol"; values = ("literal", "isothermal"); }, { key = "make.start"; values = ("points", "rsa"); } );
 END
 cat > "$tmp/shaken.scene" <<'END'
-dimension = 3; seed = 6; realizations = 3; save = true; number = 400; fraction = 0.5;
+dimension = 3; seed = 6; realizations = 2; save = true; number = 150; fraction = 0.5;
 species = ( { name = "A"; radius = 1.0; volume = 0.7; }, { name = "B"; radius = 0.5; volume = 0.3; sizes = { law = "lognormal"; spread = 0.2; }; } );
 make = { method = "crm"; growth = 0.2; };
 shake = { radius = 0.05; sweeps = 6; samples = 2; apart = 2; };
