@@ -32,15 +32,15 @@ set lmargin screen 0.115; set rmargin screen 0.475; set bmargin screen 0.105; se
 set xtics 1e3,100; set xrange [1e3:1e9]; set yrange [3e-5:1]; set ytics 1e-4,10,1
 set xlabel "pairs of these species" offset 0,0.5; set ylabel "error of the contact value" offset 2,0
 set label ink(2, "large, large:") at 1e9,0.42 right; set label ink(2, "bin $.1$") at 1e9,0.18 right
-set label ink(2, "window of one size") at 1e9,0.0075 right
+set label ink(2, "window of") at 1e9,0.018 right; set label ink(2, "one size") at 1e9,0.0075 right
 set label ink(2, "ours") at 1e9,8e-4 right; set label ink(3, "small, small: ours") at 1.6e7,1e-4 right
 plot contact("11", "bin", "0.1") using 5:8 with lines lt 2 dt 2, contact("11", "wide", "2") using 5:8 with lines lt 2 dt 3, \
   contact("11", "fit", "2") using 5:8 with lines lt 2, contact("22", "fit", "2") using 5:8 with lines lt 3
 unset label
 set lmargin screen 0.64; set rmargin screen 0.985
-set xtics 1e-6,10; set xrange [2e-6:0.3]; set yrange [3e-15:0.5]; set ytics 1e-15,1e3
+set xtics 1e-5,100; set xrange [2e-6:0.3]; set yrange [3e-15:0.5]; set ytics 1e-15,1e3
 set xlabel "seconds to prepare"; set ylabel "worst error of $g_{ij}$" offset 2,0
-set label ink(8, "trapezoids") at 2e-5,1.5e-6; set label ink(8, "ours") at 3e-5,1e-11
+set label ink(8, "trapezoids") at 2e-5,1.5e-6; set label ink(8, "ours") at 1.2e-4,1e-11 right
 plot curve("points-1") using 6:9 with linespoints lt 3 dt 2, curve("points-0.5") using 6:9 with linespoints lt 1 dt 2, \
   curve("points-0.1") using 6:9 with linespoints lt 2 dt 2, \
   curve("1") using 6:9 with linespoints lt 3, curve("0.5") using 6:9 with linespoints lt 1, \

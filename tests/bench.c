@@ -757,7 +757,8 @@ static double guests_distances(const Pack *few, const Pack *many,
   Span *span = memory((size_t)cells_spans_most(cells), sizeof *span);
   double sum = 0;
   for (size_t i = 0; i < few->n; i++) {
-    int spans = cells_spans(cells, cells_at(cells, few->x + 3 * i), false, span);
+    int spans =
+        cells_spans(cells, cells_at(cells, few->x + 3 * i), false, span);
     for (int s = 0; s < spans; s++)
       sum += span[s].end - span[s].begin;
   }
@@ -807,8 +808,7 @@ static double partials_differ(const Pack *pack) {
 }
 
 static void partials_operations(Bench *bench) {
-  static const double lambda[] = {1,     0.7,  0.5,   0.4,  0.313,
-                                  0.225, 0.16, 0.125, 0.1};
+  static const double lambda[] = {1, 0.7, 0.5, 0.4, 0.313, 0.2, 0.1};
   Table table = begin(
       bench, "partials.tsv", "Candidates a pair counted, two sizes, N = 100000",
       "lambda\tours\tone reach for all\tpairs of species counted");
@@ -858,7 +858,8 @@ static void species_plain(void *of) {
 static void species_none(void *of) {
   PartialJob *job = of;
   uint64_t count[PARTIAL_BINS];
-  pairs_count(job->pack, 2, 2 * (TWICE - 1) / PARTIAL_BINS, PARTIAL_BINS, count);
+  pairs_count(job->pack, 2, 2 * (TWICE - 1) / PARTIAL_BINS, PARTIAL_BINS,
+              count);
 }
 
 /* The same points, with their labels, in the order of their cells. */
@@ -950,8 +951,9 @@ static void two_profile(Profile *profile, const MixtureSpecies two[2],
     profile->share[b] = profile->mean[b] * pairs_shell(3, r, next);
     profile->below[b] = sum;
     sum += profile->share[b];
-    if ((size_t)b + 1 < profile->window && sum * gsl_pow_3(half) * two[m].density >=
-                                               two_wanted(two, k, m, one_size))
+    if ((size_t)b + 1 < profile->window &&
+        sum * gsl_pow_3(half) * two[m].density >=
+            two_wanted(two, k, m, one_size))
       profile->window = (size_t)b + 1;
   }
   for (int b = 0; b < THIN; b++)
@@ -1018,20 +1020,26 @@ static void two_contacts(Bench *bench) {
   end(bench, &table);
 }
 
-enum { FAR_OUT = 8, LOOKS = 400, FEW_LOOKS = 20, FINEST = 16, MOST_POINTS = 128 };
+enum {
+  FAR_OUT = 8,
+  LOOKS = 400,
+  FEW_LOOKS = 20,
+  FINEST = 16,
+  MOST_POINTS = 128
+};
 static const double DENSE = 0.575;
 static const size_t fineness[] = {1, 2, 4, 8};
 
 /* Two sizes, the truth about them, and the errors of a program; of g, over the
    largest contact value. */
 typedef struct {
-  double lambda;
+  double lambda, reach;
   MixtureSpecies two[2];
   Mixture *finest; /* NULL: one size, whose curve is known in 113 bits */
 } Curves;
 
 static Curves curves_make(double lambda) {
-  Curves curves = {.lambda = lambda};
+  Curves curves = {.lambda = lambda, .reach = FAR_OUT};
   two_species(curves.two, lambda, DENSE);
   if (lambda < 1)
     curves.finest = mixture_alloc(curves.two, 2, FAR_OUT, FINEST);
@@ -1063,7 +1071,7 @@ static double curves_ours(const Curves *curves, const Mixture *mixture) {
     for (size_t j = i; j < 2; j++)
       for (int q = 0; q < looks; q++) {
         double from = curves->two[i].radius + curves->two[j].radius;
-        double r = from + (FAR_OUT - from) * (q + 0.5) / looks;
+        double r = from + (curves->reach - from) * (q + 0.5) / looks;
         worst = fmax(worst,
                      curves_off(curves, i, j, r, mixture_g(mixture, i, j, r)));
       }
@@ -1091,6 +1099,24 @@ static bool curves_even(double lambda) {
   return fabs(1 / lambda - floor(1 / lambda + 0.5)) < 1e-9;
 }
 
+/* What the default is for: mostly fine, a hundred times smaller. */
+static void fine_errors(Bench *bench) {
+  const double share[] = {0.1, 1}, reach = 2.6;
+  MixtureSpecies two[] = {{1, 0}, {0.01, 0}};
+  mixture_fill(two, 2, share, 0.6);
+  Curves curves = {.lambda = 0.01,
+                   .two = {two[0], two[1]},
+                   .reach = reach,
+                   .finest = mixture_alloc(two, 2, reach, 8)};
+  for (size_t fine = 2; fine <= 4; fine *= 2) {
+    Mixture *mixture = mixture_alloc(two, 2, reach, fine);
+    say(bench, curves_ours(&curves, mixture), 0, "mixture_fine_%zu_error",
+        fine);
+    mixture_free(&mixture);
+  }
+  curves_free(&curves);
+}
+
 static void mixture_operations(Bench *bench) {
   Table table =
       begin(bench, "mixture.tsv", "The Percus-Yevick mixture: worst error",
@@ -1116,6 +1142,7 @@ static void mixture_operations(Bench *bench) {
     }
     curves_free(&curves);
   }
+  fine_errors(bench);
   end(bench, &table);
 }
 
@@ -1193,10 +1220,12 @@ static void sizes_radii(void *of) {
 }
 
 static void sizes_seconds(Bench *bench) {
-  static const double size[] = {0.1, 0.2, 0.5, 1, 2}, passing[] = {0, 10, 40, 90, 100};
-  const Sizes law[] = {{SIZES_LOGNORMAL, 3, 1, 0.3, 0, 0, INFINITY, 0, NULL, NULL},
-                       {SIZES_POWER, 3, 0, 0, 0.5, 0.1, 1, 0, NULL, NULL},
-                       {SIZES_SIEVE, 3, 0, 0, 0, 0, 0, 5, size, passing}};
+  static const double size[] = {0.1, 0.2, 0.5, 1, 2},
+                      passing[] = {0, 10, 40, 90, 100};
+  const Sizes law[] = {
+      {SIZES_LOGNORMAL, 3, 1, 0.3, 0, 0, INFINITY, 0, NULL, NULL},
+      {SIZES_POWER, 3, 0, 0, 0.5, 0.1, 1, 0, NULL, NULL},
+      {SIZES_SIEVE, 3, 0, 0, 0, 0, 0, 5, size, passing}};
   static const char *const name[] = {"lognormal", "power", "sieve"};
   for (size_t l = 0; l < COUNT(law); l++) {
     SizesJob job = {law[l], 10000, memory(10000, sizeof(double))};
@@ -1884,7 +1913,8 @@ static void shake_case(Bench *bench, size_t n, size_t s) {
   job.plain = metropolis ? plain_shake(pack, shakes[s].plan.radius) : NULL;
   const Case cases[] = {{"ours", shake_ours, &job, GSL_NAN},
                         {"plain_cells", shake_plain, &job, GSL_NAN}};
-  measure(bench, shakes[s].name, (double)n, (double)n, cases, metropolis ? 2 : 1);
+  measure(bench, shakes[s].name, (double)n, (double)n, cases,
+          metropolis ? 2 : 1);
   if (job.plain) {
     free(job.plain->next);
     free(job.plain->cell);
@@ -1947,7 +1977,7 @@ static void shake_seconds(Bench *bench) {
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
   const char *name;
-  const char *modules[12]; /* whose code it measures */
+  const char *modules[12];     /* whose code it measures */
   void (*operations)(Bench *); /* or NULL */
   void (*seconds)(Bench *);
 } Task;
@@ -1981,8 +2011,8 @@ static const Task tasks[] = {
      crm_operations,
      crm_seconds},
     {"shake",
-     {"shake", "chain", "near", "crm", "engine", "motion", "events", "box", "rng",
-      "simd", "flags"},
+     {"shake", "chain", "near", "crm", "engine", "motion", "events", "box",
+      "rng", "simd", "flags"},
      shake_operations,
      shake_seconds}};
 
