@@ -145,7 +145,7 @@ $(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant
 	@mkdir -p $(@D)
 	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
 # Speed against error: the operations here, the seconds from their record.
-BENCHED := outcome simd box rng pack cells rsa pairs contact py table \
+BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixture py table \
   near motion events engine crm shake chain theory flags
 $(B)/data/speed/summary.tsv: tests/bench.c $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'

@@ -11,16 +11,20 @@
 #include "contact.h"
 #include "crm.h"
 #include "engine.h"
+#include "mixture.h"
 #include "outcome.h"
 #include "pairs.h"
+#include "partials.h"
 #include "py.h"
 #include "ref_crm.h"
+#include "ref_mixture.h"
 #include "ref_pairs.h"
 #include "ref_py.h"
 #include "ref_rsa.h"
 #include "rsa.h"
 #include "shake.h"
 #include "simd.h"
+#include "sizes.h"
 #include "table.h"
 #include "theory.h"
 #include <assert.h>
@@ -709,6 +713,530 @@ static void pairs_seconds(Bench *bench) {
   }
 }
 
+/* ------------------------------------------------------------ two sizes */
+/* Three parts of the volume coarse, one fine; the large radius is 1. */
+enum { PARTIAL_BINS = 25, COARSE = 3 };
+static const double FILLED = 0.3;
+static const double TWICE = 2; /* pairs up to so many times a_k + a_m */
+static const double partial_lambda[] = {1, 0.5, 0.313, 0.1};
+
+/* Points with labels, in the volume that such spheres would fill by FILLED. */
+static Pack *two_points(size_t n, double lambda) {
+  const double cube[] = {1, 1, 1};
+  double coarse = COARSE * lambda * lambda * lambda;
+  size_t large = (size_t)((double)n * coarse / (1 + coarse) + 0.5);
+  Species two[] = {{"A", 1, large}, {"B", lambda, n - large}};
+  double solid = (double)large * pack_ball(3, 1) +
+                 (double)(n - large) * pack_ball(3, lambda);
+  Box box = box_make(3, cube, solid / FILLED);
+  Pack *pack = pack_alloc(&box, two, 2, false);
+  Rng rng = rng_stream(SEED, n, RNG_POSITIONS);
+  for (size_t i = 0; i < n; i++)
+    for (int k = 0; k < 3; k++)
+      pack->x[3 * i + (size_t)k] = rng_uniform(&rng) * box.side[k];
+  return pack;
+}
+
+static double two_reach(const Pack *pack, int k, int m) {
+  return TWICE * (pack->species[k].radius + pack->species[m].radius);
+}
+
+static bool two_fit(const Pack *pack) {
+  return two_reach(pack, 0, 0) <= pairs_reach_limit(pack);
+}
+
+static Partials *two_partials(const Pack *pack) {
+  return partials_alloc(pack, PARTIAL_BINS, (TWICE - 1) / PARTIAL_BINS,
+                        PARTIALS_COMMON);
+}
+
+/* Distances from guests to the hosts in the spans around them. */
+static double guests_distances(const Pack *few, const Pack *many,
+                               double reach) {
+  Cells *cells = cells_alloc(many, reach);
+  Span *span = memory((size_t)cells_spans_most(cells), sizeof *span);
+  double sum = 0;
+  for (size_t i = 0; i < few->n; i++) {
+    int spans =
+        cells_spans(cells, cells_at(cells, few->x + 3 * i), false, span);
+    for (int s = 0; s < spans; s++)
+      sum += span[s].end - span[s].begin;
+  }
+  free(span);
+  cells_free(&cells);
+  return sum;
+}
+
+static double partials_distances(const Pack *pack, const Partials *partials) {
+  const Pack *large = partials->only[0], *small = partials->only[1];
+  const Pack *few = large->n < small->n ? large : small;
+  return cells_distances(large, two_reach(pack, 0, 0)) +
+         cells_distances(small, two_reach(pack, 1, 1)) +
+         guests_distances(few, few == large ? small : large,
+                          two_reach(pack, 0, 1));
+}
+
+static double partials_counted(const Partials *partials) {
+  double sum = 0;
+  for (int k = 0; k < 2; k++)
+    for (int m = 0; m <= k; m++) {
+      const PartialsPair *pair = partials_pair(partials, k, m);
+      sum += (double)pair->below;
+      for (size_t b = 0; b < pair->bins; b++)
+        sum += (double)pair->count[b];
+    }
+  return sum;
+}
+
+/* Counts in which ours and those of the plain program differ. */
+static double partials_differ(const Pack *pack) {
+  Partials *ours = two_partials(pack), *plain = two_partials(pack);
+  double differ = 0;
+  partials_count(ours);
+  ref_pairs_species(pack, plain);
+  for (int k = 0; k < 2; k++)
+    for (int m = 0; m <= k; m++) {
+      const PartialsPair *a = partials_pair(ours, k, m);
+      const PartialsPair *b = partials_pair(plain, k, m);
+      differ += a->below != b->below;
+      for (size_t bin = 0; bin < a->bins; bin++)
+        differ += a->count[bin] != b->count[bin];
+    }
+  partials_free(&ours);
+  partials_free(&plain);
+  return differ;
+}
+
+static void partials_operations(Bench *bench) {
+  static const double lambda[] = {1, 0.7, 0.5, 0.4, 0.313, 0.2, 0.1};
+  Table table = begin(
+      bench, "partials.tsv", "Candidates a pair counted, two sizes, N = 100000",
+      "lambda\tours\tone reach for all\tpairs of species counted");
+  double differ = 0;
+  for (size_t l = 0; l < COUNT(lambda); l++) {
+    Pack *pack = two_points(100000, lambda[l]);
+    Partials *partials = two_partials(pack);
+    partials_count(partials);
+    double counted = partials_counted(partials);
+    double ours = partials_distances(pack, partials) / counted;
+    double plain = textbook_distances(pack, two_reach(pack, 0, 0)) / counted;
+    table_row(&table, (double[]){lambda[l], ours, plain, counted}, 4);
+    say(bench, ours, 0, "partials_%g_ours", lambda[l]);
+    say(bench, plain, 0, "partials_%g_plain", lambda[l]);
+    partials_free(&partials);
+    pack_free(&pack);
+    pack = two_points(10000, lambda[l]);
+    differ += two_fit(pack) ? partials_differ(pack) : 0;
+    pack_free(&pack);
+  }
+  say(bench, differ, 0, "partials_differences");
+  end(bench, &table);
+}
+
+typedef struct {
+  const Pack *pack;
+  Partials *partials;
+  const char *simd;
+} PartialJob;
+
+static void species_ours(void *of) {
+  PartialJob *job = of;
+  if (job->simd)
+    setenv("RANDPACK_SIMD", job->simd, 1);
+  Partials *partials = two_partials(job->pack);
+  partials_count(partials);
+  partials_free(&partials);
+  unsetenv("RANDPACK_SIMD");
+}
+
+static void species_plain(void *of) {
+  PartialJob *job = of;
+  ref_pairs_species(job->pack, job->partials);
+}
+
+/* The kernel for one species, which asks nobody for a name. */
+static void species_none(void *of) {
+  PartialJob *job = of;
+  uint64_t count[PARTIAL_BINS];
+  pairs_count(job->pack, 2, 2 * (TWICE - 1) / PARTIAL_BINS, PARTIAL_BINS,
+              count);
+}
+
+/* The same points, with their labels, in the order of their cells. */
+static Pack *two_in_order(const Pack *pack) {
+  Pack *sorted = pack_copy(pack);
+  Cells *cells = cells_alloc(pack, two_reach(pack, 0, 0));
+  for (size_t t = 0; t < pack->n; t++) {
+    size_t i = cells->particle[t];
+    memcpy(sorted->x + 3 * t, pack->x + 3 * i, 3 * sizeof(double));
+    sorted->kind[t] = pack->kind[i];
+  }
+  cells_free(&cells);
+  return sorted;
+}
+
+static void partials_case(Bench *bench, size_t n, double lambda) {
+  char label[16];
+  Pack *pack = two_points(n, lambda);
+  if (two_fit(pack)) {
+    Pack *sorted = two_in_order(pack);
+    Partials *partials = two_partials(pack);
+    partials_count(partials);
+    double counted = partials_counted(partials);
+    PartialJob ours = {pack, NULL, NULL}, narrow = {pack, NULL, "default"},
+               plain = {sorted, partials, NULL};
+    const Case cases[] = {{"ours", species_ours, &ours, 0},
+                          {"default", species_ours, &narrow, 0},
+                          {"plain_sorted", species_plain, &plain, 0},
+                          {"one", species_none, &ours, 0}};
+    snprintf(label, sizeof label, "%g", lambda);
+    measure(bench, label, (double)n, counted, cases, lambda < 1 ? 3 : 4);
+    partials_free(&partials);
+    pack_free(&sorted);
+  }
+  pack_free(&pack);
+}
+
+static void partials_seconds(Bench *bench) {
+  static const size_t size[] = {125, 250, 500, 2000, 10000, 100000};
+  for (size_t l = 0; l < COUNT(partial_lambda); l++)
+    for (size_t s = 0; s < COUNT(size); s++)
+      if (partial_lambda[l] > 0.2 || size[s] < 100000)
+        partials_case(bench, size[s], partial_lambda[l]);
+}
+
+/* ------------------------------------------------------------ their curves */
+static void two_species(MixtureSpecies two[2], double lambda, double phi) {
+  const double share[] = {COARSE, 1};
+  two[0].radius = 1;
+  two[1].radius = lambda;
+  mixture_fill(two, 2, share, phi);
+}
+
+/* The largest distance in R = 2r/(a_k + a_m) beyond contact of the window of
+   src/partials.nw, or of that for one size. */
+static double two_widest(const MixtureSpecies two[2], size_t k, size_t m,
+                         bool one_size) {
+  double up = 0, down = 0;
+  for (size_t s = 0; s < 2; s++) {
+    up += two[s].density * gsl_pow_3(two[s].radius);
+    down += two[s].density * gsl_pow_2(two[s].radius);
+  }
+  double a = two[k].radius, b = two[m].radius;
+  double least = GSL_MIN(GSL_MIN(a, b), up / down);
+  return one_size ? 0.5 : least / (a + b);
+}
+
+/* The m that the window about a k must hold. */
+static double two_wanted(const MixtureSpecies two[2], size_t k, size_t m,
+                         bool one_size) {
+  double S = 0, half = 0.5 * (two[k].radius + two[m].radius);
+  for (size_t s = 0; s < 2; s++)
+    S += two[s].density * gsl_pow_2(two[s].radius);
+  return one_size ? 3 : 3 * two[m].density * gsl_pow_2(half) / S;
+}
+
+/* g_km as a Profile, in R, with the window of partials_contact. */
+static void two_profile(Profile *profile, const MixtureSpecies two[2],
+                        const Mixture *mixture, size_t k, size_t m,
+                        bool one_size) {
+  double half = 0.5 * (two[k].radius + two[m].radius), sum = 0;
+  profile->truth = mixture_contact(MIXTURE_PY, two, 2, k, m);
+  profile->step = 0.5 / THIN;
+  profile->window =
+      (size_t)(two_widest(two, k, m, one_size) / profile->step + 0.5);
+  for (int b = 0; b < THIN; b++) {
+    double r = 2 + b * profile->step, next = r + profile->step;
+    profile->mean[b] = mixture_mean(mixture, k, m, half * r, half * next);
+    profile->share[b] = profile->mean[b] * pairs_shell(3, r, next);
+    profile->below[b] = sum;
+    sum += profile->share[b];
+    if ((size_t)b + 1 < profile->window &&
+        sum * gsl_pow_3(half) * two[m].density >=
+            two_wanted(two, k, m, one_size))
+      profile->window = (size_t)b + 1;
+  }
+  for (int b = 0; b < THIN; b++)
+    profile->share[b] /= sum;
+}
+
+/* A method's bias, the pairs that it takes for one percent, and its error
+   against pairs of these species nearer than 1.25 (a_k + a_m). */
+static void two_rows(Bench *bench, Table *table, const Profile *profile,
+                     const char *name, const char *method,
+                     const Estimator *how) {
+  Contact one = estimate(profile, how, profile->share, 1);
+  double bias = one.value / profile->truth - 1;
+  double noise = one.error / profile->truth;
+  say(bench, 100 * bias, 0, "mixture_%s_%g_%s_%g_bias", name, profile->phi,
+      method, how->parameter);
+  if (fabs(bias) < 0.01)
+    say(bench, noise * noise / (1e-4 - bias * bias), 0,
+        "mixture_%s_%g_%s_%g_pairs", name, profile->phi, method,
+        how->parameter);
+  for (int p = 4; p <= 18; p++) {
+    double pairs = pow(10, 0.5 * p), random = noise / sqrt(pairs);
+    fprintf(table->file, "%s\t%g\t%s\t%g\t%.4g\t%.3g\t%.3g\t%.3g\n", name,
+            profile->phi, method, how->parameter, pairs, bias, random,
+            gsl_hypot(bias, random));
+  }
+}
+
+/* "wide" is the parabola over the window of one size. */
+static void two_contact(Bench *bench, Table *table, const Mixture *mixture,
+                        const MixtureSpecies two[2], double phi, size_t k,
+                        size_t m) {
+  static const Estimator parabola = {"fit", true, 2};
+  Profile profile = {.phi = phi};
+  char name[8];
+  snprintf(name, sizeof name, "%c%c", '1' + (char)k, '1' + (char)m);
+  two_profile(&profile, two, mixture, k, m, true);
+  two_rows(bench, table, &profile, name, "wide", &parabola);
+  say(bench, (double)profile.window * profile.step / 2, 0,
+      "mixture_%s_%g_widest", name, phi);
+  two_profile(&profile, two, mixture, k, m, false);
+  say(bench, (double)profile.window * profile.step / 2, 0,
+      "mixture_%s_%g_window", name, phi);
+  for (size_t e = 0; e < ESTIMATORS; e++)
+    two_rows(bench, table, &profile, name, estimators[e].name, estimators + e);
+}
+
+static void two_contacts(Bench *bench) {
+  static const double phi[] = {0.3, 0.5};
+  Table table = begin(
+      bench, "mixture-contact.tsv",
+      "Contact values of the Percus-Yevick mixture, lambda = .313, relative",
+      "pair\tphi\tmethod\twidth (R) or degree\tpairs nearer than 1.25 contact "
+      "distances\tbias\tnoise\trms");
+  MixtureSpecies two[2];
+  for (size_t f = 0; f < COUNT(phi); f++) {
+    two_species(two, 0.313, phi[f]);
+    Mixture *mixture = mixture_alloc(two, 2, 2.6, 0);
+    for (size_t k = 0; k < 2; k++)
+      for (size_t m = k; m < 2; m++)
+        two_contact(bench, &table, mixture, two, phi[f], k, m);
+    mixture_free(&mixture);
+  }
+  end(bench, &table);
+}
+
+enum {
+  FAR_OUT = 8,
+  LOOKS = 400,
+  FEW_LOOKS = 20,
+  FINEST = 16,
+  MOST_POINTS = 128
+};
+static const double DENSE = 0.575;
+static const size_t fineness[] = {1, 2, 4, 8};
+
+/* Two sizes, the truth about them, and the errors of a program; of g, over the
+   largest contact value. */
+typedef struct {
+  double lambda, reach;
+  MixtureSpecies two[2];
+  Mixture *finest; /* NULL: one size, whose curve is known in 113 bits */
+} Curves;
+
+static Curves curves_make(double lambda) {
+  Curves curves = {.lambda = lambda, .reach = FAR_OUT};
+  two_species(curves.two, lambda, DENSE);
+  if (lambda < 1)
+    curves.finest = mixture_alloc(curves.two, 2, FAR_OUT, FINEST);
+  return curves;
+}
+
+static void curves_free(Curves *curves) {
+  if (curves->finest)
+    mixture_free(&curves->finest);
+}
+
+static double curves_off(const Curves *curves, size_t i, size_t j, double r,
+                         double g) {
+  double largest = mixture_contact(MIXTURE_PY, curves->two, 2, 0, 0);
+  return (curves->finest ? fabs(g - mixture_g(curves->finest, i, j, r))
+                         : ref_py_error(DENSE, r, g)) /
+         largest;
+}
+
+/* The arithmetic ends, after so many sums, near 1e-14. */
+static double curves_shown(double error) {
+  return error > 1e-14 ? error : 1e-14;
+}
+
+static double curves_ours(const Curves *curves, const Mixture *mixture) {
+  int looks = curves->finest ? LOOKS : FEW_LOOKS;
+  double worst = 0;
+  for (size_t i = 0; i < 2; i++)
+    for (size_t j = i; j < 2; j++)
+      for (int q = 0; q < looks; q++) {
+        double from = curves->two[i].radius + curves->two[j].radius;
+        double r = from + (curves->reach - from) * (q + 0.5) / looks;
+        worst = fmax(worst,
+                     curves_off(curves, i, j, r, mixture_g(mixture, i, j, r)));
+      }
+  return curves_shown(worst);
+}
+
+static double curves_plain(const Curves *curves, size_t points) {
+  double *f = ref_mixture(curves->two, 2, FAR_OUT, points), worst = 0;
+  size_t n = ref_mixture_n(curves->two, 2, FAR_OUT, points);
+  double h = 2 * curves->lambda / (double)points;
+  size_t every = curves->finest ? 1 : n / FEW_LOOKS + 1;
+  for (size_t p = 1; p < n; p += every)
+    for (size_t q = 0; q < 4; q++) {
+      size_t i = q / 2, j = q % 2;
+      double r = curves->two[i].radius + curves->two[j].radius + h * (double)p;
+      if (r <= FAR_OUT)
+        worst = fmax(worst, curves_off(curves, i, j, r, f[4 * p + q] / r));
+    }
+  free(f);
+  return worst;
+}
+
+/* The plain grid wants diameters that are multiples of the smaller one. */
+static bool curves_even(double lambda) {
+  return fabs(1 / lambda - floor(1 / lambda + 0.5)) < 1e-9;
+}
+
+/* What the default is for: mostly fine, a hundred times smaller. */
+static void fine_errors(Bench *bench) {
+  const double share[] = {0.1, 1}, reach = 2.6;
+  MixtureSpecies two[] = {{1, 0}, {0.01, 0}};
+  mixture_fill(two, 2, share, 0.6);
+  Curves curves = {.lambda = 0.01,
+                   .two = {two[0], two[1]},
+                   .reach = reach,
+                   .finest = mixture_alloc(two, 2, reach, 8)};
+  for (size_t fine = 2; fine <= 4; fine *= 2) {
+    Mixture *mixture = mixture_alloc(two, 2, reach, fine);
+    say(bench, curves_ours(&curves, mixture), 0, "mixture_fine_%zu_error",
+        fine);
+    mixture_free(&mixture);
+  }
+  curves_free(&curves);
+}
+
+static void mixture_operations(Bench *bench) {
+  Table table =
+      begin(bench, "mixture.tsv", "The Percus-Yevick mixture: worst error",
+            "method\tlambda\telements, or points, to the smallest diameter\t"
+            "error of g over the largest contact value");
+  two_contacts(bench);
+  for (size_t l = 0; l < COUNT(partial_lambda); l++) {
+    Curves curves = curves_make(partial_lambda[l]);
+    for (size_t f = 0; f < COUNT(fineness); f++) {
+      Mixture *mixture = mixture_alloc(curves.two, 2, FAR_OUT, fineness[f]);
+      double error = curves_ours(&curves, mixture);
+      fprintf(table.file, "ours\t%g\t%zu\t%.2g\n", curves.lambda, fineness[f],
+              error);
+      say(bench, error, 0, "mixture_%g_%zu_error", curves.lambda, fineness[f]);
+      mixture_free(&mixture);
+    }
+    for (size_t points = 8; curves_even(curves.lambda) && points <= MOST_POINTS;
+         points *= 2) {
+      double error = curves_plain(&curves, points);
+      fprintf(table.file, "plain\t%g\t%zu\t%.2g\n", curves.lambda, points,
+              error);
+      say(bench, error, 0, "mixture_%g_plain_%zu_error", curves.lambda, points);
+    }
+    curves_free(&curves);
+  }
+  fine_errors(bench);
+  end(bench, &table);
+}
+
+typedef struct {
+  const Curves *curves;
+  size_t fine;
+  Mixture *mixture;
+  double sum;
+} CurveJob;
+
+static void curves_prepare(void *of) {
+  CurveJob *job = of;
+  Mixture *mixture = mixture_alloc(job->curves->two, 2, FAR_OUT, job->fine);
+  job->sum += mixture_g(mixture, 0, 1, 3);
+  mixture_free(&mixture);
+}
+
+static void curves_values(void *of) {
+  CurveJob *job = of;
+  for (int k = 0; k < VALUES; k++)
+    job->sum += mixture_g(job->mixture, 0, 1, 2 + 6.0 / VALUES * k);
+}
+
+static void curves_trapezoid(void *of) {
+  CurveJob *job = of;
+  double *f = ref_mixture(job->curves->two, 2, FAR_OUT, job->fine);
+  job->sum += f[0];
+  free(f);
+}
+
+/* The plain program has labels of its own: its points are no elements. */
+static void curves_seconds(Bench *bench, const Curves *curves) {
+  char label[32];
+  for (size_t f = 0; f < COUNT(fineness); f++) {
+    CurveJob job = {curves, fineness[f], NULL, 0};
+    job.mixture = mixture_alloc(curves->two, 2, FAR_OUT, job.fine);
+    double error = curves_ours(curves, job.mixture);
+    const Case one = {"ours", curves_prepare, &job, error},
+               many = {"ours", curves_values, &job, error};
+    snprintf(label, sizeof label, "%g", curves->lambda);
+    measure(bench, label, (double)job.fine, 1, &one, 1);
+    snprintf(label, sizeof label, "values-%g", curves->lambda);
+    if (job.fine == 4)
+      measure(bench, label, (double)job.fine, VALUES, &many, 1);
+    mixture_free(&job.mixture);
+  }
+  for (size_t points = 8; curves_even(curves->lambda) && points <= MOST_POINTS;
+       points *= 2) {
+    CurveJob job = {curves, points, NULL, 0};
+    const Case plain = {"plain_trapezoid", curves_trapezoid, &job,
+                        curves_plain(curves, points)};
+    snprintf(label, sizeof label, "points-%g", curves->lambda);
+    measure(bench, label, (double)points, 1, &plain, 1);
+  }
+}
+
+static void mixture_seconds(Bench *bench) {
+  for (size_t l = 0; l < COUNT(partial_lambda); l++) {
+    Curves curves = curves_make(partial_lambda[l]);
+    curves_seconds(bench, &curves);
+    curves_free(&curves);
+  }
+}
+
+/* ------------------------------------------------------------ laws of sizes */
+typedef struct {
+  Sizes law;
+  size_t n;
+  double *radius;
+} SizesJob;
+
+static void sizes_radii(void *of) {
+  SizesJob *job = of;
+  sizes_fill(&job->law, job->n, job->radius);
+}
+
+static void sizes_seconds(Bench *bench) {
+  static const double size[] = {0.1, 0.2, 0.5, 1, 2},
+                      passing[] = {0, 10, 40, 90, 100};
+  const Sizes law[] = {
+      {SIZES_LOGNORMAL, 3, 1, 0.3, 0, 0, INFINITY, 0, NULL, NULL},
+      {SIZES_POWER, 3, 0, 0, 0.5, 0.1, 1, 0, NULL, NULL},
+      {SIZES_SIEVE, 3, 0, 0, 0, 0, 0, 5, size, passing}};
+  static const char *const name[] = {"lognormal", "power", "sieve"};
+  for (size_t l = 0; l < COUNT(law); l++) {
+    SizesJob job = {law[l], 10000, memory(10000, sizeof(double))};
+    Outcome out = {0};
+    assert(sizes_check(&job.law, &out) == DONE);
+    const Case one = {"ours", sizes_radii, &job, GSL_NAN};
+    measure(bench, name[l], (double)job.n, (double)job.n, &one, 1);
+    free(job.radius);
+  }
+}
+
 /* ------------------------------------------------------------ rsa */
 static const double rsa_deficit[] = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005};
 enum { RSA_BALLS = 10000 };
@@ -1385,7 +1913,8 @@ static void shake_case(Bench *bench, size_t n, size_t s) {
   job.plain = metropolis ? plain_shake(pack, shakes[s].plan.radius) : NULL;
   const Case cases[] = {{"ours", shake_ours, &job, GSL_NAN},
                         {"plain_cells", shake_plain, &job, GSL_NAN}};
-  measure(bench, shakes[s].name, (double)n, (double)n, cases, metropolis ? 2 : 1);
+  measure(bench, shakes[s].name, (double)n, (double)n, cases,
+          metropolis ? 2 : 1);
   if (job.plain) {
     free(job.plain->next);
     free(job.plain->cell);
@@ -1448,8 +1977,8 @@ static void shake_seconds(Bench *bench) {
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
   const char *name;
-  const char *modules[12]; /* whose code it measures */
-  void (*operations)(Bench *);
+  const char *modules[12];     /* whose code it measures */
+  void (*operations)(Bench *); /* or NULL */
   void (*seconds)(Bench *);
 } Task;
 static const Task tasks[] = {
@@ -1466,6 +1995,15 @@ static const Task tasks[] = {
      {"pairs", "cells", "box", "rng", "flags"},
      pairs_operations,
      pairs_seconds},
+    {"partials",
+     {"partials", "pairs", "cells", "box", "rng", "simd", "flags"},
+     partials_operations,
+     partials_seconds},
+    {"mixture",
+     {"mixture", "contact", "pairs", "py", "flags"},
+     mixture_operations,
+     mixture_seconds},
+    {"sizes", {"sizes", "flags"}, NULL, sizes_seconds},
     {"rsa", {"rsa", "box", "rng", "flags"}, rsa_operations, rsa_seconds},
     {"crm",
      {"crm", "engine", "motion", "near", "events", "contact", "pairs", "box",
@@ -1473,8 +2011,8 @@ static const Task tasks[] = {
      crm_operations,
      crm_seconds},
     {"shake",
-     {"shake", "chain", "near", "crm", "engine", "motion", "events", "box", "rng",
-      "simd", "flags"},
+     {"shake", "chain", "near", "crm", "engine", "motion", "events", "box",
+      "rng", "simd", "flags"},
      shake_operations,
      shake_seconds}};
 
@@ -1490,7 +2028,8 @@ static void operations(Bench *bench) {
     bench->code = print[t];
     bench->task = tasks[t].name;
     double start = now();
-    tasks[t].operations(bench);
+    if (tasks[t].operations)
+      tasks[t].operations(bench);
     if (getenv("BENCH_TIMES"))
       fprintf(stderr, "bench: %s: %.1f s\n", bench->task, now() - start);
   }
@@ -1621,6 +2160,27 @@ static void say_crossings(Bench *bench, const Row row[], size_t n) {
   say(bench, lists, 0, "neighbours_lists_until");
 }
 
+/* What the names of two equal sizes cost, and up to which N the plain program
+   counts two sizes faster. */
+static void say_partials(Bench *bench, const Row row[], size_t n) {
+  double until = 0;
+  for (size_t r = 0; r < n; r++)
+    for (size_t q = 0; q < n; q++) {
+      if (strcmp(row[r].task, "partials") || strcmp(row[q].task, "partials") ||
+          strcmp(row[r].method, "ours") || strcmp(row[r].label, row[q].label) ||
+          row[r].size != row[q].size)
+        continue;
+      double ratio = row[r].seconds / row[q].seconds;
+      double both = gsl_hypot(row[r].spread / row[r].seconds,
+                              row[q].spread / row[q].seconds);
+      if (!strcmp(row[q].method, "one"))
+        say(bench, ratio, ratio * both, "partials_price_%g", row[r].size);
+      if (is_plain(row + q) && ratio > 1)
+        until = fmax(until, row[r].size);
+    }
+  say(bench, until, 0, "partials_plain_until");
+}
+
 /* The lines that describe the machine, for the page. */
 static void write_machine(Bench *bench, FILE *record) {
   Table table = {.file = NULL};
@@ -1664,6 +2224,7 @@ static void recorded(Bench *bench, const char *file) {
       say_row(bench, "widest", r, plain);
   }
   say_crossings(bench, row, n);
+  say_partials(bench, row, n);
   if (stale_tasks(row, n))
     outcome_set(&bench->out, UNREACHED,
                 "%s: recorded with other code; make paper FRESH=1 records it "
