@@ -7,7 +7,8 @@
 # over half a standard deviation of a_i + a_j to either side; smeared@S, smeared_R@S: of the curve of equal spheres, smeared;
 # h, area, depth: of equal spheres the value at contact, the area above 1 and, over h - 1, its depth w; model@S,
 # model_R@S: the peak of 1 + (h - 1) exp(-y / w), smeared; limit@S, limit_R@S: the same for spreads above w.
-# Errors are of bins taken as independent. dir/near.tsv: S, r, g, its error, g smeared; dir/wrong.tsv: S, E, read, peak changed.
+# Errors are of bins taken as independent. dir/near.tsv: S, r, g, its error, g smeared; dir/wrong.tsv: S, E and, of bins of
+# 0.02, first and read against first at the right radius.
 function row(name, value, error) { printf "%s\t%.9g\t%s\n", name, value, error == "" ? 0 : sprintf("%.3g", error) }
 function least(x, y) { return x < y ? x : y }
 function most(x, y) { return x > y ? x : y }
@@ -84,7 +85,7 @@ function implied(W,   i, S, T, u) {
 function place(S,   b, m, r, f, best) {
   m = 0
   for (b = 0; b < bins[S]; b++) if (g[S, b] > g[S, m]) m = b
-  best = vertex(S, m, most(2, int(0.7 * S / d[S] + 0.5))); row("top@" S, best, err); row("top_R@" S, top_R, err_R)
+  best = vertex(S, m, most(1, int(0.7 * S / d[S] + 0.5))); row("top@" S, best, err); row("top_R@" S, top_R, err_R)
   best = 0
   for (r = 1.98; r < 2.15; r += 0.001) if ((f = smeared(S, r)) > best) { best = f; top_R = r }
   row("smeared@" S, best); row("smeared_R@" S, top_R)
@@ -96,9 +97,9 @@ function place(S,   b, m, r, f, best) {
 function figures(S,   b, r, E, right, top) {
   for (b = 0; (r = low[S] + (b + 0.5) * d[S]) < 2.4; b++)
     if (r > 1.75) print S, sprintf("%.5f", r), g[S, b], e[S, b], (S + 0 ? smeared(S, r) : "nan") > (dir "/near.tsv")
-  right = stat("read", S, 1, 0.02); top = stat("peak", S, 1, 0.02)
+  right = stat("first", S, 1, 0.02)
   for (E = -0.1; E < 0.1005; E += 0.0025)
-    print S, E, stat("read", S, 1 + E, 0.02) / right - 1, stat("peak", S, 1 + E, 0.02) / top - 1 > (dir "/wrong.tsv")
+    print S, E, stat("first", S, 1 + E, 0.02) / right - 1, stat("read", S, 1 + E, 0.02) / right - 1 > (dir "/wrong.tsv")
 }
 BEGIN { FS = OFS = "\t" }
 END {
