@@ -142,9 +142,9 @@ $(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant
 	@mkdir -p $(@D)
 	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
 # What radii that scatter, or are wrong, make of the first peak: its tables, read again.
-$(B)/data/radius-read/summary.tsv: paper/radius.awk $(B)/data/radius-error/summary.tsv
+$(B)/data/radius-read/summary.tsv: paper/radius.awk $(B)/data/radius-error/summary.tsv $(B)/data/tomography-shaken/summary.tsv
 	@mkdir -p $(@D)
-	@awk -v dir=$(@D) -f $< $(B)/data/radius-error/rdf@*.tsv > $@
+	@awk -v dir=$(@D) -f $< $(B)/data/tomography-shaken/{made,shaken}.rdf.tsv $(B)/data/radius-error/rdf@*.tsv > $@
 # Speed against error: the operations here, the seconds from their record.
 BENCHED := outcome simd box rng pack cells rsa pairs contact py table \
   near motion events engine crm shake chain theory flags

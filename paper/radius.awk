@@ -1,5 +1,5 @@
 # paper/radius.awk: what becomes of the first peak if radii scatter, or are taken wrongly: from the tables rdf@S.tsv of
-# radius-error, S being the spread. There lengths are in median radii; here r is in radii a of the mean volume, and R = r / a1.
+# radius-error, S being the spread, and of tomography-shaken. There lengths are in median radii; here r is in radii a of the mean volume, and R = r / a1.
 # first@S@W: g over 2 <= R < 2 + W with a1 = a; peak@S@W: the highest bin of width W from zero; read@S@W: from R = 2.
 # first_change@S@W@E, ...: the part by which these change if a1 = (1 + E) a. implied@W: the spread at which first changes by
 # -.4 if E is .05; implied_low@W: the part by which read, if E is -.05, is above first, if E is 0. gauss_width, gauss_inside: the
@@ -7,9 +7,10 @@
 # over half a standard deviation of a_i + a_j to either side; smeared@S, smeared_R@S: of the curve of equal spheres, smeared;
 # h, area, depth: of equal spheres the value at contact, the area above 1 and, over h - 1, its depth w; model@S,
 # model_R@S: the peak of 1 + (h - 1) exp(-y / w), smeared; limit@S, limit_R@S: the same for spreads above w.
+# shaken@S: how much lower the peak of the packs of tomography-shaken is after shaking than before, if smeared.
 # Errors are of bins taken as independent. dir/near.tsv: S, r, g, its error, g smeared; dir/wrong.tsv: S, E and, of bins of
 # 0.02, first and read against first at the right radius.
-function row(name, value, error) { printf "%s\t%.9g\t%s\n", name, value, error == "" ? 0 : sprintf("%.3g", error) }
+function row(name, value, error) { if (error == "") printf "%s\t%.4g\t0\n", name, value; else printf "%s\t%.9g\t%.3g\n", name, value, error }
 function least(x, y) { return x < y ? x : y }
 function most(x, y) { return x > y ? x : y }
 # The mean of g over the shell u to v, its error in err.
@@ -39,14 +40,18 @@ function normal(x, y,   h, i, n, sum) {
   for (i = sum = 0; i <= n; i++) sum += (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * exp(-(x + i * h) ^ 2 / 2)
   return sum * h / 3 / 2.506628274631
 }
-# g of equal spheres, its bins taken as steps, at r - (a_i + a_j) + 2, on average: a_i + a_j has the mean 2 exp(-s^2) and the
+# g of the equal spheres Q, its bins taken as steps, at r - (a_i + a_j) + 2, on average: a_i + a_j has the mean 2 exp(-s^2) and the
 # standard deviation sqrt(2) s, to the second order in s.
-function smeared(s, r,   b, y, sum, to) {
-  y = r - 2 * exp(-s * s); sigma = sqrt(2) * s; to = least(bins["0"], int((y + 6 * sigma) / d["0"]) + 1)
+function smeared(Q, s, r,   b, y, sum, to) {
+  y = r - 2 * exp(-s * s); sigma = sqrt(2) * s; to = least(bins[Q], int((y + 6 * sigma) / d[Q]) + 1)
   sum = 0
-  for (b = most(0, int((y - 6 * sigma) / d["0"])); b < to; b++)
-    sum += g["0", b] * normal((b * d["0"] - y) / sigma, ((b + 1) * d["0"] - y) / sigma)
+  for (b = most(0, int((y - 6 * sigma) / d[Q])); b < to; b++) sum += g[Q, b] * normal((b * d[Q] - y) / sigma, ((b + 1) * d[Q] - y) / sigma)
   return sum
+}
+function peak_smeared(Q, s,   r, f, best) {
+  best = 0
+  for (r = 1.98; r < 2.15; r += 0.001) if ((f = smeared(Q, s, r)) > best) { best = f; top_R = r }
+  return best
 }
 function model(s, r,   y, q) {
   y = r - 2 * exp(-s * s); sigma = sqrt(2) * s; q = sigma / depth
@@ -61,7 +66,10 @@ function vertex(S, m, n,   j, c0, c1, c2, S2, S4, N, T0, T1, T2, v0, v1) {
   err = 1.5 * sqrt(v0); err_R = sqrt(v1) / (-2 * c2) * d[S]; top_R = low[S] + (m + 0.5 - c1 / (2 * c2)) * d[S]
   return c0 - c1 * c1 / (4 * c2)
 }
-FNR == 1 { S = FILENAME; sub(/.*rdf@/, "", S); sub(/\.tsv$/, "", S); name[++names] = S; scale = exp(1.5 * S * S) }
+FNR == 1 {
+  S = FILENAME; sub(/.*\//, "", S); sub(/rdf@/, "", S); sub(/\.(rdf\.)?tsv$/, "", S); scale = exp(1.5 * S * S)
+  if (S + 0 || S == "0") name[++names] = S
+}
 /^#/ || $1 == "R" { next }
 { b = bins[S]++; if (b == 0) low[S] = $1; if (b == 1) { d[S] = ($1 - low[S]) / scale; low[S] = low[S] / scale - d[S] / 2 } g[S, b] = $2; e[S, b] = $3 }
 function over_first(S, W) { over[S, W] = stat("read", S, 0.95, W) / stat("first", S, 1, W) - 1 }
@@ -86,9 +94,8 @@ function place(S,   b, m, r, f, best) {
   m = 0
   for (b = 0; b < bins[S]; b++) if (g[S, b] > g[S, m]) m = b
   best = vertex(S, m, most(1, int(0.7 * S / d[S] + 0.5))); row("top@" S, best, err); row("top_R@" S, top_R, err_R)
-  best = 0
-  for (r = 1.98; r < 2.15; r += 0.001) if ((f = smeared(S, r)) > best) { best = f; top_R = r }
-  row("smeared@" S, best); row("smeared_R@" S, top_R)
+  row("smeared@" S, peak_smeared("0", S)); row("smeared_R@" S, top_R)
+  row("shaken@" S, peak_smeared("shaken", S) / peak_smeared("made", S) - 1)
   best = 0
   for (r = 1.98; r < 2.15; r += 0.001) if ((f = model(S, r)) > best) { best = f; top_R = r }
   row("model@" S, best); row("model_R@" S, top_R)
@@ -96,7 +103,7 @@ function place(S,   b, m, r, f, best) {
 }
 function figures(S,   b, r, E, right, top) {
   for (b = 0; (r = low[S] + (b + 0.5) * d[S]) < 2.4; b++)
-    if (r > 1.75) print S, sprintf("%.5f", r), g[S, b], e[S, b], (S + 0 ? smeared(S, r) : "nan") > (dir "/near.tsv")
+    if (r > 1.75) print S, sprintf("%.5f", r), g[S, b], e[S, b], (S + 0 ? smeared("0", S, r) : "nan") > (dir "/near.tsv")
   right = stat("first", S, 1, 0.02)
   for (E = -0.1; E < 0.1005; E += 0.0025)
     print S, E, stat("first", S, 1 + E, 0.02) / right - 1, stat("read", S, 1 + E, 0.02) / right - 1 > (dir "/wrong.tsv")
@@ -105,9 +112,9 @@ BEGIN { FS = OFS = "\t" }
 END {
   print "quantity\tvalue\tstandard_error"
   for (i = 2; i <= names; i++) for (j = i; j > 1 && name[j] + 0 < name[j - 1] + 0; j--) { S = name[j]; name[j] = name[j - 1]; name[j - 1] = S }
-  h = g["0", 0] + (g["0", 0] - g["0", 1]) / 2; row("h", h, sqrt(2.25 * e["0", 0] ^ 2 + e["0", 1] ^ 2 / 4))
-  for (b = 0; g["0", b] > 1; b++) area += (g["0", b] - 1) * d["0"]
-  depth = area / (h - 1); row("area", area); row("depth", depth)
+  err = 0; h = g["0", 0] + (g["0", 0] - g["0", 1]) / 2; row("h", h, sqrt(2.25 * e["0", 0] ^ 2 + e["0", 1] ^ 2 / 4))
+  for (b = 0; g["0", b] > 1; b++) { area += (g["0", b] - 1) * d["0"]; err += (e["0", b] * d["0"]) ^ 2 }
+  depth = area / (h - 1); row("area", area, sqrt(err)); row("depth", depth)
   gauss = 0.01 / -(log(0.6) + log(1.07)); row("gauss_width", sqrt(gauss)); row("gauss_inside", 5 * gauss * (log(1.07) - log(0.6)))
   widths = split("0.01 0.02 0.05 0.1", width, " ")
   for (i = 1; i <= names; i++) {
