@@ -11,7 +11,7 @@ rows(q) = "< awk -F'\\t' '{split($1, a, \"@\")} a[1]==\"".q."\" {print a[2] \"\\
 spreads = "0 0.01 0.02 0.03 0.05 0.1"; names = "0 .01 .02 .03 .05 .1"; points = "6 9 5 7 13 11"; inks = "7 3 2 1 4 5"
 unset key
 set multiplot
-set lmargin screen 0.085; set rmargin screen 0.485; set tmargin screen 0.985; set bmargin screen 0.60
+set lmargin screen 0.09; set rmargin screen 0.465; set tmargin screen 0.985; set bmargin screen 0.60
 set xrange [1.85:2.35]; set xtics 0.1; set mxtics 2; set yrange [0:13.5]; set ytics 2; set mytics 2
 set xlabel "$R$, with the right radius" offset 0,0.6; set ylabel "$g(R)$" offset 1.2
 set label 1 "spread" at 2.12,11.2
@@ -23,7 +23,7 @@ plot near("0") using 2:($2 < 2 ? NaN : $3) with lines lt 7 lw 1, \
   for [i = 2:6] near(word(spreads, i)) using 2:5 with lines lt int(word(inks, i)) lw 1, \
   for [i = 2:6] near(word(spreads, i)) using 2:3 every 3 with points lt int(word(inks, i)) pt int(word(points, i)) ps 0.35
 unset label; unset arrow
-set lmargin screen 0.585; set rmargin screen 0.985
+set lmargin screen 0.60; set rmargin screen 0.985
 set xrange [0.004:0.12]; set logscale xy; set xtics (".005" 0.005, ".01" 0.01, ".02" 0.02, ".05" 0.05, ".1" 0.1); unset mxtics
 set yrange [2:30]; set ytics (2, 3, 5, 7, 10, 15, 20, 30); unset mytics
 set xlabel "spread $s$" offset 0,0.6; set ylabel "height of the peak" offset 1.4
@@ -36,7 +36,7 @@ set label 5 ink(8, "equal, $g(2^+)$") at graph 0.97,first 1.13*known("h") right
 plot rows("limit") using 1:2 with lines lt 8 lw 1.4, rows("model") using 1:2 with lines lt 7 dt 4, rows("smeared") using 1:2 with lines lt 1 lw 1, \
   rows("top") using 1:2:3 with yerrorbars lt 2 pt 7 ps 0.55
 unset label; unset arrow; unset logscale y
-set lmargin screen 0.085; set rmargin screen 0.485; set tmargin screen 0.485; set bmargin screen 0.085
+set lmargin screen 0.09; set rmargin screen 0.465; set tmargin screen 0.485; set bmargin screen 0.085
 set yrange [2:2.07]; set ytics 0.01; set ylabel "place of the peak, $R$" offset 2; set format y "%.2f"
 set arrow 1 from 0.004,2.06 to 0.12,2.06 nohead lt 8
 set label 1 ink(8, "B, of Aste's: 2.06") at 0.0045,2.0625
@@ -44,9 +44,9 @@ set label 2 ink(8, "$2+w$") at 0.0045,2.0495
 plot rows("limit_R") using 1:2 with lines lt 8 lw 1.4, rows("model_R") using 1:2 with lines lt 7 dt 4, rows("smeared_R") using 1:2 with lines lt 1 lw 1, \
   rows("top_R") using 1:2:3 with yerrorbars lt 2 pt 7 ps 0.55
 unset label; unset arrow; unset logscale x; set format y "%g"
-set lmargin screen 0.585; set rmargin screen 0.985
+set lmargin screen 0.60; set rmargin screen 0.985
 set xrange [-10:10]; set xtics 5; set mxtics 5; set yrange [-100:50]; set ytics 20; set mytics 2; set format y "$%g$"; set format x "$%g$"
-set xlabel "error of the radius, per cent" offset 0,0.6; set ylabel "change, per cent" offset 1.6
+set xlabel "error of the radius, per cent" offset 0,0.6; set ylabel "change, per cent" offset 0.8
 set arrow 1 from 0,-100 to 0,50 nohead lt 8 dt 3 back
 set label 1 "spread" at 3.6,45
 do for [i = 2:6] { set label 1 + i ink(int(word(inks, i)), word(names, i)) at 8.2,45 - 9*(i - 2) }
