@@ -144,6 +144,10 @@ $(B)/data/%/summary.tsv: $(B)/data/%.key
 $(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/summary.tsv
 	@mkdir -p $(@D)
 	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
+# What radii that scatter, or are wrong, make of the first peak: its tables, read again.
+$(B)/data/radius-read/summary.tsv: paper/radius.awk $(B)/data/radius-error/summary.tsv $(B)/data/tomography-shaken/summary.tsv
+	@mkdir -p $(@D)
+	@awk -v dir=$(@D) -f $< $(B)/data/tomography-shaken/{made,shaken}.rdf.tsv $(B)/data/radius-error/rdf@*.tsv > $@
 # Speed against error: the operations here, the seconds from their record.
 BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixture py table \
   near motion events engine crm shake chain theory flags
@@ -186,7 +190,7 @@ $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 
 # ---------------------------------------------------------------- the book
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
-  $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv
+  $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv $(B)/data/radius-read/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -f paper/values.awk $(SUMMARIES) > $@
