@@ -31,19 +31,19 @@ unset label
 # beyond
 set lmargin screen 0.43; set rmargin screen 0.985; set bmargin screen 0.36; set tmargin screen 0.985
 set xrange [2:5.4]; set xtics 0.5; set mxtics 5; set format x ""; unset xlabel; set yrange [-0.2:1.98]; set ytics 0.5; set ylabel offset 0.8
-set label 1 "B:" at 2.04,1.9
 array at[6] = [2.3, 2.64, 2.87, 3.464, 4, 4.54]
-array word_[6] = ["2.3", "2.64", "2.87", "3.464", "4.0", "4.54"]
+array word_[6] = ["B: 2.3", "2.64", "2.87", "3.464", "4.0", "4.54"]
 do for [i = 1:6] {
-  set arrow i from at[i],graph 0 to at[i],graph 0.92 nohead lt 7 lw 0.8 dt 2 back
-  set label i + 1 word_[i] at at[i] + (i == 2 ? -0.02 : i == 3 ? 0.03 : 0),1.9 center
+  set arrow i from at[i],graph 0 to at[i],graph (i == 2 ? 0.86 : 0.93) nohead lt 7 lw 0.8 dt 2 back
+  set label i + 1 word_[i] at at[i] + (i == 1 ? 0.06 : 0),1.92 - (i == 2 ? 0.14 : 0) center
 }
-# what his configurations have: chains of 1-(2)-1, 1-(1)-1, rhombi around 2+2, 1+2, 1+1
-array geo[5] = [2 + 2*l, 4, 2*sqrt(1 + 2*l), 4*sqrt((2 + l)*l)/(1 + l), 2*sqrt(3)]
-do for [i = 1:5] { set arrow 10 + i from geo[i],-0.2 to geo[i],0.12 nohead lt 8 dt 1 lw 1.2 back }
-set label 20 ink(8, "$2\\sqrt{1+2\\lambda}$, mixed, $2+2\\lambda$") at 2.66,-0.09
-set label 21 ink(8, "$2\\sqrt3$") at geo[5] + 0.03,-0.09
-set label 22 ink(8, "4") at 4.04,-0.09
+# what configurations have: the middle pair of a rhombus small, mixed, large; chains 1-2-1 and 1-1-1
+array geo[5] = [2*sqrt(1 + 2*l), 4*sqrt((2 + l)*l)/(1 + l), 2 + 2*l, 2*sqrt(3), 4]
+do for [i = 1:5] { set arrow 10 + i from geo[i],-0.2 to geo[i],0.16 nohead lt 8 dt 1 lw 1.6 back }
+set label 20 ink(8, "a b c") at 2.68,-0.1
+set label 21 ink(8, "d") at geo[4] + 0.05,-0.1
+set label 22 ink(8, "e") at geo[5] + 0.05,-0.1
+set label 23 ink(7, "Percus--Yevick") at 4.2,0.68
 plot 0 with lines lt 8 lw 0.5, bins(made, 2) using 1:4 with lines lt 7 dt 4, \
   bins(made, 2) using 1:($2-$3):($2+$3) with filledcurves lt 1, bins(made, 2) using 1:2 with lines lt 1 lw 1, \
   bins(shaken("metropolis"), 2) using 1:($2-$3):($2+$3) with filledcurves lt 3, bins(shaken("metropolis"), 2) using 1:2 with lines lt 3 lw 1, \
