@@ -9,15 +9,16 @@ fluid(q, p, phi, c) = quantity("bimodal-fluid", sprintf("%s.%s@%g", q, word(pair
 unset key
 set multiplot
 set bmargin screen 0.15; set tmargin screen 0.97; set lmargin screen 0.085; set rmargin screen 0.46
-set xrange [0.27:0.53]; set xtics 0.1; set yrange [0.7:1.16]; set ytics 0.1; set xlabel "$c$" offset 0,0.7; set ylabel "$g_{km}$ at contact / BMCSL" offset 1
+set xrange [0.27:0.53]; set xtics 0.1; set yrange [0.7:1.16]; set ytics 0.1; set xlabel "$c$" offset 0,0.7; set ylabel "$g_{km}$ at contact / BMCSL" offset 2
 set label 1 ink(1, "1--1") at 0.475,1.125 right; set label 2 ink(3, "1--2") at 0.47,1.01; set label 3 ink(2, "2--2") at 0.47,0.965
 set label 4 ink(8, "Percus--Yevick") at 0.28,0.78
 array phi[3] = [0.3, 0.4, 0.5]
 array shift[3] = [-0.004, 0, 0.004]
+py(p, i) = fluid("contact_py", p, phi[i], 2)/b(p, i)
 b(p, i) = fluid("contact_bmcsl", p, phi[i], 2)
 plot 1 with lines lt 8 lw 0.5, \
   for [p = 1:3] for [i = 1:3] "+" using (phi[i] + shift[p]):(fluid("shaken.contact", p, phi[i], 2)/b(p, i)):(fluid("shaken.contact", p, phi[i], 3)/b(p, i)) every ::0::0 with yerrorbars lt int(word(colour, p)) pt int(word(full, p)) ps 0.7, \
-  for [p = 1:3] sample [i=1:3:1] "+" using (phi[int(i)]):(fluid("contact_py", p, phi[int(i)], 2)/b(p, int(i))) with lines lt int(word(colour, p)) dt 4 lw 1
+  for [p = 1:3] for [i = 1:2] "+" using (phi[i]):(py(p, i)):(0.1):(py(p, i + 1) - py(p, i)) every ::0::0 with vectors nohead lt int(word(colour, p)) dt 4 lw 1
 unset label
 # in packs, the bin of .01 at contact
 set lmargin screen 0.575; set rmargin screen 0.985
@@ -27,8 +28,9 @@ array l[4] = [0.138, 0.313, 0.477, 1]
 of(q, p, i, c) = i == 1 ? quantity("bimodal-138", sprintf("%s.%s", q, word(pairs, p)), c) : i == 2 ? quantity("bimodal", sprintf("%s%s.%s@retry@60", q[1:8] eq "contact_" && q[9:9] ne "f" ? "" : "made.", q, word(pairs, p)), c) : i == 3 ? quantity("bimodal-477", sprintf("%s.%s", q, word(pairs, p)), c) : \
   q eq "contact_first_bin" ? quantity("first-peak", "made.contact_first_bin@retry@0.6", c) : q eq "contact_py" ? 1.3/0.16 : (1 - 0.3)/0.064
 set label 1 ink(1, "1--1") at 0.15,67; set label 2 ink(3, "1--2") at 0.33,12; set label 3 ink(2, "2--2") at 0.37,6.1
-set label 4 ink(8, "solid: BMCSL") at 0.45,50; set label 5 ink(8, "dashed: Percus--Yevick") at 0.34,40
-plot for [p = 1:3] sample [i=1:4:1] "+" using (l[int(i)]):(of("contact_bmcsl", p, int(i), 2)) with lines lt int(word(colour, p)) lw 1, \
-  for [p = 1:3] sample [i=1:4:1] "+" using (l[int(i)]):(of("contact_py", p, int(i), 2)) with lines lt int(word(colour, p)) dt 4 lw 1, \
-  for [p = 1:3] sample [i=1:4:1] "+" using (l[int(i)]*(1 + 0.02*(p - 2))):(of("contact_first_bin", p, int(i), 2)):(of("contact_first_bin", p, int(i), 3)) with yerrorbars lt int(word(colour, p)) pt int(word(full, p)) ps 0.7
+set label 4 ink(8, "solid: BMCSL") at 1.15,55 right; set label 5 ink(8, "dashed: Percus--Yevick") at 1.15,43 right
+rise(q, p, i) = of(q, p, i + 1, 2) - of(q, p, i, 2)
+plot for [p = 1:3] for [i = 1:3] "+" using (l[i]):(of("contact_bmcsl", p, i, 2)):(l[i + 1] - l[i]):(rise("contact_bmcsl", p, i)) every ::0::0 with vectors nohead lt int(word(colour, p)) lw 1, \
+  for [p = 1:3] for [i = 1:3] "+" using (l[i]):(of("contact_py", p, i, 2)):(l[i + 1] - l[i]):(rise("contact_py", p, i)) every ::0::0 with vectors nohead lt int(word(colour, p)) dt 4 lw 1, \
+  for [p = 1:3] for [i = 1:4] "+" using (l[i]*(1 + 0.02*(p - 2))):(of("contact_first_bin", p, i, 2)):(of("contact_first_bin", p, i, 3)) every ::0::0 with yerrorbars lt int(word(colour, p)) pt int(word(full, p)) ps 0.7
 unset multiplot
