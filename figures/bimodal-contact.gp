@@ -11,14 +11,22 @@ set multiplot
 set bmargin screen 0.15; set tmargin screen 0.97; set lmargin screen 0.085; set rmargin screen 0.46
 set xrange [0.27:0.53]; set xtics 0.1; set yrange [0.7:1.16]; set ytics 0.1; set xlabel "$c$" offset 0,0.7; set ylabel "$g_{km}$ at contact / BMCSL" offset 2
 set label 1 ink(1, "1--1") at 0.475,1.125 right; set label 2 ink(3, "1--2") at 0.47,1.01; set label 3 ink(2, "2--2") at 0.47,0.965
-set label 4 ink(8, "Percus--Yevick") at 0.28,0.78
+set label 4 ink(8, "Percus--Yevick") at 0.28,0.78; set label 5 "$\\times$ $Z-1$" at 0.335,1.026
 array phi[3] = [0.3, 0.4, 0.5]
+# the virial sum of the three contact values, by the shares of numbers of the scene
+share = 0.084; l3 = 0.313**3; rest = 1 - share
+a1(i) = 0.5*phi[i]/(share + rest*l3)
+term(p) = p == 1 ? 8*share**2 : p == 2 ? 2*1.313**3*share*rest : 8*l3*rest**2
+virial(i) = a1(i)*(term(1)*fluid("shaken.contact", 1, phi[i], 2) + term(2)*fluid("shaken.contact", 2, phi[i], 2) + term(3)*fluid("shaken.contact", 3, phi[i], 2))
+spread(i) = a1(i)*sqrt((term(1)*fluid("shaken.contact", 1, phi[i], 3))**2 + (term(2)*fluid("shaken.contact", 2, phi[i], 3))**2 + (term(3)*fluid("shaken.contact", 3, phi[i], 3))**2)
+lifts(i) = quantity("bimodal-fluid", sprintf("shaken.Z@%g", phi[i]), 2) - 1
 array shift[3] = [-0.004, 0, 0.004]
 py(p, i) = fluid("contact_py", p, phi[i], 2)/b(p, i)
 b(p, i) = fluid("contact_bmcsl", p, phi[i], 2)
 plot 1 with lines lt 8 lw 0.5, \
   for [p = 1:3] for [i = 1:3] "+" using (phi[i] + shift[p]):(fluid("shaken.contact", p, phi[i], 2)/b(p, i)):(fluid("shaken.contact", p, phi[i], 3)/b(p, i)) every ::0::0 with yerrorbars lt int(word(colour, p)) pt int(word(full, p)) ps 0.7, \
-  for [p = 1:3] for [i = 1:2] "+" using (phi[i]):(py(p, i)):(0.1):(py(p, i + 1) - py(p, i)) every ::0::0 with vectors nohead lt int(word(colour, p)) dt 4 lw 1
+  for [p = 1:3] for [i = 1:2] "+" using (phi[i]):(py(p, i)):(0.1):(py(p, i + 1) - py(p, i)) every ::0::0 with vectors nohead lt int(word(colour, p)) dt 4 lw 1, \
+  for [i = 1:3] "+" using (phi[i] - 0.012):(virial(i)/lifts(i)):(spread(i)/lifts(i)) every ::0::0 with yerrorbars lt 7 pt 2 ps 0.7
 unset label
 # in packs, the bin of .01 at contact
 set lmargin screen 0.575; set rmargin screen 0.985
