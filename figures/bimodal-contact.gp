@@ -10,7 +10,7 @@ unset key
 set multiplot
 set bmargin screen 0.15; set tmargin screen 0.97; set lmargin screen 0.085; set rmargin screen 0.46
 set xrange [0.27:0.53]; set xtics 0.1; set yrange [0.7:1.16]; set ytics 0.1; set xlabel "$c$" offset 0,0.7; set ylabel "$g_{km}$ at contact / BMCSL" offset 2
-set label 1 ink(1, "1--1") at 0.475,1.125 right; set label 2 ink(3, "1--2") at 0.47,1.01; set label 3 ink(2, "2--2") at 0.47,0.965
+set label 1 ink(1, "1--1") at 0.475,1.125 right; set label 2 ink(3, "1--2") at 0.45,1.022; set label 3 ink(2, "2--2") at 0.45,0.93
 set label 4 ink(8, "Percus--Yevick") at 0.28,0.78; set label 5 "$\\times$ $Z-1$" at 0.335,1.026
 array phi[3] = [0.3, 0.4, 0.5]
 # the virial sum of the three contact values, by the shares of numbers of the scene
