@@ -35,10 +35,10 @@ unset label
 # the law of errors
 set tmargin screen 0.385; set bmargin screen 0.09; set lmargin screen 0.105; set rmargin screen 0.485
 set logscale xy; set xrange [1.5e4:2.4e5]; set xtics (2e4, 5e4, 1e5, 2e5) ; unset mxtics; set format x "$%.0s{\\cdot}10^{%T}$"; set xtics add ("$2{\\cdot}10^4$" 2e4, "$5{\\cdot}10^4$" 5e4, "$10^5$" 1e5, "$2{\\cdot}10^5$" 2e5)
-set yrange [0.0068:0.16]; set ytics (0.01, 0.02, 0.05, 0.1); set format y "%g"; set xlabel "$PN$" offset 0,0.7; set ylabel "error of a bin of $g_{km}$" offset 2
+set yrange [0.0052:0.16]; set ytics (0.01, 0.02, 0.05, 0.1); set format y "%g"; set xlabel "$PN$" offset 0,0.7; set ylabel "error of a bin of $g_{km}$" offset 2
 s11 = noise(few("L-L", 3), "1", "5.8", "9.3"); s12 = noise(few("L-S", 3), "1", "3", "12"); s22 = noise(few("S-S", 3), "0.313", "3", "12")
 set label 1 ink(1, "1--1") at 1.7e4,1.45*s11*sqrt(16e4/23e3); set label 2 ink(3, "1--2") at 1.7e4,1.4*s12*sqrt(16e4/23e3); set label 3 ink(2, "2--2") at 1.7e4,0.72*s22*sqrt(16e4/23e3)
-set label 4 "$N=1000$" at 1.6e4,0.0078; set label 5 "7000, 2000" at 1.35e5,0.0078 center
+set label 4 "$N=1000$" at 1.6e4,0.0061; set label 5 "7000, 2000" at 1.35e5,0.0061 center
 e(p, a, f, t, i) = i == 1 ? noise(many(p, 1000), a, f, t) : i == 2 ? noise(many(p, 7000), a, f, t) : noise(few(p, 3), a, f, t)
 array at[3] = [23e3, 157e3, 165e3]
 plot s11*sqrt(16e4/x) with lines lt 1 lw 0.7, s12*sqrt(16e4/x) with lines lt 3 lw 0.7, s22*sqrt(16e4/x) with lines lt 2 lw 0.7, \
@@ -47,14 +47,15 @@ plot s11*sqrt(16e4/x) with lines lt 1 lw 0.7, s12*sqrt(16e4/x) with lines lt 3 l
   for [i = 1:3] "+" using (at[i]):(e("S-S", "0.313", "3", "12", i)) every ::0::0 with points lt 2 pt (i < 3 ? 5 : 4) ps 0.6
 unset label; unset logscale
 # the first peaks against M
-set lmargin screen 0.605; set rmargin screen 0.985
-set xrange [-3:72]; set xtics (0, 3, 30, 60); set format xy "$%g$"; set xlabel "$M$" offset 0,0.7
+set lmargin screen 0.62; set rmargin screen 0.985
+set xrange [-3:73]; set xtics ("0" 0, "3" 20, "30" 40, "60" 60); set format xy "$%g$"; set xlabel "$M$" offset 0,0.7
 set yrange [-36:9]; set ytics 10; set ylabel "change of first peak, \\%" offset 0.3
 c(rule, pair, M, k) = M == 0 ? 0 : 100*quantity(sprintf("change.contact_first_bin.%s@%s@%d", pair, rule, M), k)
 array M[4] = [0, 3, 30, 60]
+array at_[4] = [0, 20, 40, 60]
 set label 1 ink(1, "1--1") at 62,c("retry", "L-L", 60, 2); set label 2 ink(3, "1--2") at 62,c("retry", "L-S", 60, 2) + 0.8; set label 3 ink(2, "2--2") at 62,c("retry", "S-S", 60, 2) - 1.5
-set label 4 "$\\Diamond$ B, $g_{11}$" at 34,-17; set label 5 ink(8, "Metropolis: open") at 5,6.5
-plot 0 with lines lt 8 lw 0.5, for [i = 1:4] for [p = 1:3] "+" using (M[i] + 1.2*(p - 2)):(c("retry", word("L-L L-S S-S", p), M[i], 2)):(c("retry", word("L-L L-S S-S", p), M[i], 3)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("7 9 5", p)) ps 0.6, \
-  for [i = 2:4] for [p = 1:3] "+" using (M[i] + 1.2*(p - 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], 3)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("6 8 4", p)) ps 0.6, \
-  "+" using (60):(-25) every ::0::0 with points lt 7 pt 12 ps 1.1, "+" using (30):(-25) every ::0::0 with points lt 7 pt 12 ps 1.1, "+" using (3):(100*(1.12*0.75 - 1)) every ::0::0 with points lt 7 pt 12 ps 1.1
+set label 4 "$\\Diamond$ B, $g_{11}$" at 24,-16.5; set label 5 ink(8, "Metropolis: open") at 5,6.5
+plot 0 with lines lt 8 lw 0.5, for [i = 1:4] for [p = 1:3] "+" using (at_[i] + 1.2*(p - 2)):(c("retry", word("L-L L-S S-S", p), M[i], 2)):(c("retry", word("L-L L-S S-S", p), M[i], 3)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("7 9 5", p)) ps 0.6, \
+  for [i = 2:4] for [p = 1:3] "+" using (at_[i] + 1.2*(p - 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], 3)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("6 8 4", p)) ps 0.6, \
+  "+" using (60):(-25) every ::0::0 with points lt 7 pt 12 ps 1.1, "+" using (40):(-25) every ::0::0 with points lt 7 pt 12 ps 1.1, "+" using (20):(100*(1.12*0.75 - 1)) every ::0::0 with points lt 7 pt 12 ps 1.1
 unset multiplot
