@@ -99,7 +99,7 @@ absent() {
     ! grep -q nan "$tmp/absent/summary.tsv"; }
 tell 'an absent species' absent
 alone() {
-  sed 's/number = 40;/number = 1;/; s/S"; radius = 0.2/S"; radius = 0.05/; s/K = {[^}]*};//; s/reach = \[3.0\]/reach = [3.0, 1.2, 0.8]/; s/\[1.5, 2.3\]/[1.11, 1.19]/; s/\[1.4, 2.4\]/[1.11, 1.19]/
+  sed 's/number = 40;/number = 1;/; s/^theory.*//; s/growth = 0.2/growth = 2.0/; s/S"; radius = 0.2; number = 400/S"; radius = 0.05; number = 4000/; s/realizations = 3/realizations = 2/; s/K = {[^}]*};//; s/reach = \[3.0\]/reach = [3.0, 1.6, 0.8]/; s/\[1.5, 2.3\]/[1.11, 1.6]/; s/\[1.4, 2.4\]/[1.11, 1.19]/
     s/\[0.9, 1.7\]/[0.3, 0.7]/; s/step = 0.2/step = 0.05/' "$tmp/two.scene" > "$tmp/alone.scene"
   run alone alone && [ "$(value made.number.L "$tmp/alone")" = 1 ] && [ "$(columns alone/made.partial.L-L.tsv 1 | wc -l)" = 1 ] &&
     [ "$(columns alone/made.partial.L-S.tsv 1 | wc -l)" -gt 1 ]; }
