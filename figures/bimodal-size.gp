@@ -25,7 +25,7 @@ do for [j = 1:2] {
   plot 1 with lines lt 8 lw 0.5, bins(many(pair, 7000), a, 5) using 1:2 with lines lt 1 lw 1.4, bins(few(pair, 3), a, 5) using 1:2 with lines lt 2 lw 0.9, bins(few(pair, 60), a, 5) using 1:2 with lines lt 7 lw 0.7 dt 4
   unset label
   set tmargin screen 0.665; set bmargin screen 0.48; set format x "%g"
-  set xlabel sprintf("$R_{%s}$", word("12 22", j)) offset 0,0.7; set yrange [-9.5:5.5]; set ytics 5; set ylabel (j == 1 ? "difference / error" : "") offset 2.2
+  set xlabel sprintf("$R_{%s}$", word("12 22", j)) offset 0,0.7; set yrange [-9.5:5.5]; set ytics 5; set ylabel (j == 1 ? "difference / error" : "") offset 1.6
   set label 1 ink(1, "$\\bullet$ $7000-2000$, both $M=3$") at graph 0.12,0.26; set label 2 ink(2, "$\\scriptstyle\\square$ $M=60$ less $M=3$, 2000") at graph 0.12,0.11
   plot -2 with lines lt 8 lw 0.5, 2 with lines lt 8 lw 0.5, \
     less(few(pair, 60), few(pair, 3), a, 10) using 1:2 with points lt 2 pt 4 ps 0.4, \

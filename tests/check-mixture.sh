@@ -94,7 +94,7 @@ lebowitz() { # Percus and Yevick's contact values: 1/(1 - phi) + 3 zeta_2 a_k a_
       exit bad }' "$tmp/two/summary.tsv"; }
 tell 'contact values are those of the mixture of the scene' lebowitz
 absent() {
-  sed 's/number = 40;/number = 0;/; s/reach = 3.0; step = 0.2; };/reach = 1.0; step = 0.2; };/; s/reach = \[3.0\]/reach = [2.4, 2.4, 1.7]/' "$tmp/two.scene" > "$tmp/absent.scene"
+  sed 's/number = 40;/number = 0;/; s/radius = 0.2; number = 400/radius = 0.15; number = 1000/; s/reach = 3.0; step = 0.2; };/reach = 1.0; step = 0.2; };/; s/reach = \[3.0\]/reach = [2.4, 2.4, 1.7]/' "$tmp/two.scene" > "$tmp/absent.scene"
   run absent absent && [ "$(value made.number.L "$tmp/absent")$(value made.contact.L-S "$tmp/absent")" = 00 ] && same "$(value contact_py.S-S "$tmp/absent")" 5 &&
     ! grep -q nan "$tmp/absent/summary.tsv"; }
 tell 'an absent species' absent
