@@ -286,7 +286,41 @@ static void test_small(void) {
   }
 }
 
+/* 64 couples of centres far from one another, each at a distance uniform in the shell: the window
+   that ends at the 20th of them must not count it as if it had come by chance. */
+static void test_last_pair(void) {
+  enum { COUPLES = 64, TRIALS = 1500 };
+  Box box = {3, {20, 20, 20}};
+  Species species = {"A", 0.5, 2 * COUPLES};
+  Rng rng = rng_stream(20, 0, RNG_TEST);
+  double sum = 0, square = 0, shell = 4 * M_PI / 3 * (gsl_pow_3(1.25) - 1);
+  double g = 8000 / shell * COUPLES / (COUPLES * (2 * COUPLES - 1.0));
+  for (int t = 0; t < TRIALS; t++) {
+    Pack *pack = pack_alloc(&box, &species, 1, false);
+    for (size_t c = 0; c < COUPLES; c++) {
+      double *x = pack->x + 6 * c, u[3], far = 2;
+      while (far > 1 || far == 0) {
+        for (int k = 0; k < 3; k++)
+          u[k] = 2 * rng_uniform(&rng) - 1;
+        far = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+      }
+      double r = cbrt(1 + (gsl_pow_3(1.25) - 1) * rng_uniform(&rng));
+      for (size_t k = 0, place = c; k < 3; k++, place /= 4) {
+        x[k] = 2.5 + 5 * (double)(place % 4);
+        x[3 + k] = x[k] + r * u[k] / far;
+      }
+    }
+    double value = contact_value(pack, 1, CONTACT_DEGREE, 0.3125).value / g;
+    sum += value / TRIALS;
+    square += value * value / TRIALS;
+    pack_free(&pack);
+  }
+  double error = sqrt((square - sum * sum) / TRIALS);
+  gsl_test(fabs(sum - 1) > 4 * error || error > 0.03, "the last pair of the window, %.4f +- %.4f", sum, error);
+}
+
 int main(void) {
+  test_last_pair();
   test_bias();
   test_polynomial();
   test_error();
