@@ -51,6 +51,10 @@ tell 'bins begin at contact' middle
 neighbours() { awk -F'\t' '/^#/ || /^R/ { next } { k = $6; n = $8 } END { exit !((n - 400 * k / (4 / 3 * 3.14159265358979 * (40 + 400 * 0.064) / 0.5)) ^ 2 < 1e-18) }' "$tmp/two/made.partial.L-S.tsv"; }
 tell 'the neighbours of a large sphere follow from K' neighbours
 
+samples() { run two samples --set shake.samples=3 && [ "$(value shaken.number.L "$tmp/samples")" = 40 ] &&
+  awk -v a="$(columns samples/shaken.partial.S-S.tsv 6 | tail -1)" -v b="$(columns two/shaken.partial.S-S.tsv 6 | tail -1)" 'BEGIN { exit !(a != b && (a / b - 1) ^ 2 < 1e-3) }'; }
+tell 'samples of pairs are averaged' samples
+
 # --- scales: the same pairs, each scale with its own step
 scales() {
   run two common --set measure.partials.scale='"common"' --set measure.partials.step=0.1 --set 'measure.partials.extrema=({pair="L-S";gap=[2.2,3.4];})' --set 'measure.partials.reach=[4.0,4.2,4.0]' &&
