@@ -2,9 +2,11 @@
 #include "cells.h"
 #include "gravity.h"
 #include "outcome.h"
+#include "ref_gravity.h"
 #include "rng.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,12 +96,135 @@ static void rests(int dim, double low, double high) {
            "%d-D: core fraction %.4f (%.4f)", dim, sum, error);
 }
 
+/* A literal run is that of all pairs, from the throw to the last pass; its
+   steps, its largest c and its overlap are those of a second account. */
+static void literal(int dim) {
+  enum { N = 400 };
+  const double F = 2.25, origin[3] = {0, 0, 0};
+  double x[3 * N] = {0}, wrong = 0, deepest = 0;
+  size_t pushes = 0, d = (size_t)dim;
+  GravityReport report;
+  Pack *pack =
+      make(dim, N, 2.5, (GravityPlan){.mode = GRAVITY_LITERAL}, 7, &report);
+  Rng rng = rng_stream(7, 0, RNG_TEST);
+  double k_d = pack_ball(dim, 1),
+         R = 2 / F * (dim == 2 ? sqrt(N / k_d) : cbrt(N / k_d));
+  gsl_test_rel(report.start, 2.5 * R, 1e-14, "%d-D: R_0", dim);
+  for (size_t i = 1; i < N; i++) {
+    double square;
+    do {
+      square = 0;
+      for (size_t k = 0; k < d; k++) {
+        double u = 2 * rng_uniform(&rng) - 1;
+        square += u * u;
+        x[i * d + k] = u * (report.start / 2.5);
+      }
+    } while (square > 1);
+  }
+  for (int s = 0; s <= 31; s++)
+    pushes += ref_gravity_sweep(dim, N, x, NULL,
+                                s < 25 ? (1 + 0.05 * s) / F : 1, origin, 0);
+  for (size_t i = 0; i < N * d; i++)
+    wrong = GSL_MAX(wrong, fabs(x[i] * 2.5 + 2 * report.rim - pack->x[i]));
+  gsl_test_abs(wrong, 0, 1e-13 * report.rim,
+               "%d-D: a literal run is that of all pairs", dim);
+  gsl_test(pushes != report.all.pushes, "and has its pushes");
+  gsl_test(report.sweeps != 25 || report.passes != 6, "25 sweeps and 6 passes");
+  deepest = -pack_audit(pack) / 5;
+  gsl_test_rel(deepest > 0 ? deepest : 0, report.overlap, 1e-9, "overlap left");
+  pack_free(&pack);
+}
+
+/* Any radii that grow together; two species; and the order is kept. */
+static void mixed(int dim) {
+  enum { N = 600 };
+  Species species[] = {{"A", 0.5, 400}, {"B", 1.5, 200}};
+  double radius[N];
+  Rng rng = rng_stream(3, 0, RNG_TEST);
+  for (size_t i = 0; i < N; i++)
+    radius[i] = 0.3 * (1 + 4 * rng_uniform(&rng));
+  for (int own = 0; own < 2; own++) {
+    Outcome out = {0};
+    GravityReport report;
+    Pack *pack = gravity_pack(dim, species, 2, own ? radius : NULL, &adaptive,
+                              &rng, &report, &out);
+    gsl_test(out.status != DONE, "mixed, %d-D: %s", dim, out.text);
+    gsl_test(!(pack_audit(pack) > -2e-9 * pack_smallest(pack)),
+             "mixed: no deeper overlap");
+    gsl_test(own && memcmp(radius, pack->radius, sizeof radius) != 0,
+             "radii are those given");
+    double phi = gravity_fraction(pack, 0.5 * report.rim);
+    gsl_test(!(phi > (dim == 2 ? 0.74 : 0.5) && phi < (dim == 2 ? 0.9 : 0.72)),
+             "mixed, %d-D: core %.4f", dim, phi);
+    pack_free(&pack);
+  }
+}
+
+static void same_bytes(void) {
+  GravityReport report[2];
+  Pack *a = make(3, 500, 1, adaptive, 9, report),
+       *b = make(3, 500, 1, adaptive, 9, report + 1);
+  gsl_test(memcmp(a->x, b->x, 1500 * sizeof *a->x) != 0,
+           "the same bytes again");
+  pack_free(&b);
+  b = make(3, 500, 1, adaptive, 10, report);
+  gsl_test(memcmp(a->x, b->x, 1500 * sizeof *a->x) == 0,
+           "and others of another seed");
+  pack_free(&a);
+  pack_free(&b);
+}
+
+/* The step is how far the rim goes: c as told, and more sweeps for a smaller. */
+static void steps(void) {
+  GravityReport fine, coarse;
+  GravityPlan plan = {.mode = GRAVITY_ADAPTIVE, .step = 0.15};
+  Pack *pack = make(3, 1000, 1, plan, 4, &fine);
+  pack_free(&pack);
+  plan.step = 0.45;
+  pack = make(3, 1000, 1, plan, 4, &coarse);
+  pack_free(&pack);
+  gsl_test_rel(fine.carry, 0.15, 1e-12, "the rim goes as far as told");
+  gsl_test_rel(coarse.carry, 0.45, 1e-12, "and farther");
+  gsl_test_rel((double)fine.sweeps / coarse.sweeps, 3, 0.2,
+               "in a third of the sweeps");
+}
+
+static void one_wrong(const char *what, size_t n, double a, GravityPlan plan,
+                      int status) {
+  Species species = {"A", a, n};
+  Rng rng = rng_stream(1, 0, RNG_TEST);
+  Outcome out = {0};
+  Pack *pack = gravity_pack(3, &species, 1, NULL, &plan, &rng, NULL, &out);
+  gsl_test(out.status != status || !*out.text, "%s: %s", what, out.text);
+  gsl_test((pack != NULL) != (status != WRONG), "%s: a pack or none", what);
+  pack_free(&pack);
+}
+
+static void wrong(void) {
+  one_wrong("nobody", 0, 1, adaptive, WRONG);
+  one_wrong("no radius", 5, 0, adaptive, WRONG);
+  one_wrong("radius no number", 5, GSL_NAN, adaptive, WRONG);
+  one_wrong("step below 0", 5, 1, (GravityPlan){.step = -1}, WRONG);
+  one_wrong("shrinking", 5, 1, (GravityPlan){GRAVITY_ADAPTIVE, .factor = 0.5},
+            WRONG);
+  one_wrong("passes below 0", 5, 1, (GravityPlan){.passes = -1}, WRONG);
+  one_wrong("tolerance 1", 5, 1,
+            (GravityPlan){GRAVITY_ADAPTIVE, .tolerance = 1}, WRONG);
+  one_wrong("one pass", 500, 1, (GravityPlan){GRAVITY_ADAPTIVE, .passes = 1},
+            UNREACHED);
+}
+
 int main(void) {
   for (int dim = 2; dim <= 3; dim++) {
     few(dim);
     lenses(dim);
+    literal(dim);
+    mixed(dim);
   }
+  same_bytes();
+  steps();
+  wrong();
   rests(2, 0.8, 0.88);
-  rests(3, 0.58, 0.63);
+  rests(3, 0.59, 0.63);
   return gsl_test_summary();
 }
