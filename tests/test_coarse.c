@@ -75,6 +75,42 @@ static void sound(const char *what, const Pack *pack,
   gsl_test_rel(gravity_rim(pack), report->rim, 1e-12, "%s: the rim", what);
 }
 
+/* The least gap of a particle of the last species: 0, if they have grown as far
+   as told and no farther. */
+static double coarse_gap(const Pack *pack) {
+  size_t dim = (size_t)pack->box.dim;
+  double least = GSL_POSINF;
+  for (size_t i = 0; i < pack->n; i++)
+    for (size_t j = 0; j < pack->n; j++) {
+      double square = 0;
+      if (pack_kind(pack, i) != pack->kinds - 1 || i == j)
+        continue;
+      for (size_t k = 0; k < dim; k++) {
+        double d = pack->x[j * dim + k] - pack->x[i * dim + k];
+        square += d * d;
+      }
+      double gap = sqrt(square) - pack_radius(pack, i) - pack_radius(pack, j);
+      least = GSL_MIN(least, gap);
+    }
+  return least;
+}
+
+/* Most of a pack marked. */
+static void most(void) {
+  Pack *fine = fine_pack(2, 30, 5);
+  Species coarse = {"coarse", 0.6, 25};
+  CoarsePlan plan = {.step = 0};
+  CoarseReport report;
+  Outcome out = {0};
+  Rng rng = rng_stream(6, 0, RNG_TEST);
+  Pack *pack = coarse_mark(fine, &coarse, NULL, &plan, &rng, &report, &out);
+  sound("most are marked", pack, &report, &out);
+  gsl_test(pack->n != 30 || pack->species[0].count != 5,
+           "nobody is marked twice");
+  pack_free(&pack);
+  pack_free(&fine);
+}
+
 /* The main variant, and a third fraction upon the second. */
 static void added(int dim) {
   Pack *fine = fine_pack(dim, 1500, 5), *two, *three;
@@ -91,6 +127,7 @@ static void added(int dim) {
            "by species");
   gsl_test(two->species[1].radius != 1.5 || pack_largest(two) != 1.5,
            "the radius wanted");
+  gsl_test_abs(coarse_gap(two), 0, 2e-9, "%d-D: a coarse one is touched", dim);
   gsl_test(report.turns != 30 * 5, "five turns each: 2/3 by 0.15");
   gsl_test(report.destroyed < 100 || report.destroyed > 1000,
            "%d-D: destroyed %zu", dim, report.destroyed);
@@ -146,6 +183,7 @@ int main(void) {
     added(dim);
   }
   own();
+  most();
   Pack *fine = fine_pack(3, 300, 5);
   CoarsePlan plan = {.step = 0};
   refused("too many", fine, 200, 1.5, false, plan, WRONG);

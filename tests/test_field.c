@@ -115,6 +115,18 @@ static void coincident(int dim) {
   field_free(&field);
 }
 
+/* Of two at one distance the lower number is the inner one, whatever the cells.
+ */
+static void tie(bool follow) {
+  double x[] = {0, 0, 2.5, 0.5, 2.5, -0.5, 0, -20};
+  Field *field = field_alloc(2, 4, x, NULL);
+  FieldSweep sweep = follow ? field_follow(field, 0) : field_sweep(field, 0);
+  gsl_test(sweep.pushes != 1 || field_place(field, 1)[1] != 0.5,
+           "two at one distance: the lower number stays");
+  gsl_test_rel(field_place(field, 2)[1], -1.5, 1e-15, "the other goes");
+  field_free(&field);
+}
+
 int main(void) {
   for (int dim = 2; dim <= 3; dim++) {
     double half = dim == 2 ? 14 : 5;
@@ -128,5 +140,7 @@ int main(void) {
     coincident(dim);
   }
   few();
+  tie(false);
+  tie(true);
   return gsl_test_summary();
 }

@@ -153,6 +153,9 @@ static void mixed(int dim) {
              "mixed: no deeper overlap");
     gsl_test(own && memcmp(radius, pack->radius, sizeof radius) != 0,
              "radii are those given");
+    double solid = pack_solid(pack), R = 3 * report.start;
+    gsl_test_rel(pack_ball(dim, R), solid * (dim == 2 ? 1 / M_PI_4 : 6 / M_PI),
+                 1e-12, "%d-D: a mixture's R_0", dim);
     double phi = gravity_fraction(pack, 0.5 * report.rim);
     gsl_test(!(phi > (dim == 2 ? 0.74 : 0.5) && phi < (dim == 2 ? 0.9 : 0.72)),
              "mixed, %d-D: core %.4f", dim, phi);
