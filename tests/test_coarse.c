@@ -165,6 +165,32 @@ static void own(void) {
   pack_free(&fine);
 }
 
+/* All marked, each to its own: a continuous law of sizes. One, to a hundred
+   times the others. */
+static void hard(void) {
+  Pack *fine = fine_pack(3, 400, 5);
+  Species coarse = {"coarse", 1.5, 400};
+  double end[400];
+  for (int c = 0; c < 400; c++)
+    end[c] = 0.5 + 0.0025 * (c * 171 % 400);
+  CoarsePlan plan = {.step = 0};
+  CoarseReport report;
+  Outcome out = {0};
+  Rng rng = rng_stream(6, 0, RNG_TEST);
+  Pack *pack = coarse_mark(fine, &coarse, end, &plan, &rng, &report, &out);
+  sound("all marked", pack, &report, &out);
+  double phi = gravity_fraction(pack, 0.5 * report.rim);
+  gsl_test(pack->species[0].count != 0 || !(phi > 0.55 && phi < 0.75),
+           "all have grown: %.4f", phi);
+  pack_free(&pack);
+  coarse = (Species){"coarse", 50, 1};
+  plan.step = 2;
+  pack = coarse_mark(fine, &coarse, NULL, &plan, &rng, &report, &out);
+  sound("a ratio of 100", pack, &report, &out);
+  pack_free(&pack);
+  pack_free(&fine);
+}
+
 static void refused(const char *what, const Pack *fine, size_t count,
                     double radius, bool mark, CoarsePlan plan, int status) {
   Species coarse = {"coarse", radius, count};
@@ -184,6 +210,7 @@ int main(void) {
   }
   own();
   most();
+  hard();
   Pack *fine = fine_pack(3, 300, 5);
   CoarsePlan plan = {.step = 0};
   refused("too many", fine, 200, 1.5, false, plan, WRONG);

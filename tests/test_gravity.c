@@ -163,6 +163,60 @@ static void mixed(int dim) {
   }
 }
 
+static double from_middle(const Pack *pack, int kind) {
+  double sum = 0, n = 0;
+  for (size_t i = 0; i < pack->n; i++) {
+    double square = 0;
+    for (int k = 0; k < pack->box.dim; k++) {
+      double d = pack->x[i * (size_t)pack->box.dim + (size_t)k] -
+                 2 * gravity_rim(pack);
+      square += d * d;
+    }
+    if (pack_kind(pack, i) == kind) {
+      sum += sqrt(square);
+      n++;
+    }
+  }
+  return sum / n / gravity_rim(pack);
+}
+
+/* Grown together, the large are driven outwards and the small stay. */
+static void apart(int dim) {
+  Species species[] = {{"A", 1, 1200}, {"B", 3, dim == 2 ? 150 : 600}};
+  Rng rng = rng_stream(8, 0, RNG_TEST);
+  Outcome out = {0};
+  Pack *pack = gravity_pack(dim, species, 2, NULL, &adaptive, &rng, NULL, &out);
+  double fine = from_middle(pack, 0), coarse = from_middle(pack, 1);
+  gsl_test(!(coarse > fine + 0.1), "%d-D: the large are outside: %.3f, %.3f",
+           dim, fine, coarse);
+  pack_free(&pack);
+}
+
+/* Half a radius a sweep; a ratio of a hundred; far too many steps at once. */
+static void hard(int dim) {
+  GravityReport report;
+  Pack *pack = make(dim, 4000, 1,
+                    (GravityPlan){GRAVITY_LITERAL, .step = 0.5, .sweeps = 4}, 3,
+                    &report);
+  gsl_test(!report.collapsed && report.overlap < 0.3,
+           "%d-D: half a radius a sweep collapses (%.3g)", dim, report.overlap);
+  gsl_test(!(report.carry > 2), "c is %.3g", report.carry);
+  pack_free(&pack);
+  pack = make(dim, 500, 1, (GravityPlan){GRAVITY_ADAPTIVE, .step = 50}, 3,
+              &report);
+  gsl_test(!(pack_audit(pack) > -2e-9) || report.collapsed,
+           "at any step passes bring rest (%d)", report.passes);
+  pack_free(&pack);
+  Species species[] = {{"A", 0.01, 1500}, {"B", 1, 2}};
+  Rng rng = rng_stream(8, 0, RNG_TEST);
+  Outcome out = {0};
+  pack = gravity_pack(dim, species, 2, NULL, &adaptive, &rng, &report, &out);
+  gsl_test(out.status != DONE, "a ratio of 100: %s", out.text);
+  gsl_test(!(pack_audit(pack) > -2e-11), "a ratio of 100: overlap %g",
+           -pack_audit(pack));
+  pack_free(&pack);
+}
+
 static void same_bytes(void) {
   GravityReport report[2];
   Pack *a = make(3, 500, 1, adaptive, 9, report),
@@ -223,6 +277,8 @@ int main(void) {
     lenses(dim);
     literal(dim);
     mixed(dim);
+    apart(dim);
+    hard(dim);
   }
   same_bytes();
   steps();
