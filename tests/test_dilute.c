@@ -135,6 +135,20 @@ static void two(void) {
   pack_free(&fine);
 }
 
+/* One particle, two, three: an answer, not an endless search. */
+static void few(int dim) {
+  for (size_t n = 1; n <= 3; n++) {
+    Pack *pack = dense(dim, n);
+    DiluteReport report;
+    DilutePlan plan = {.fraction = 0.2};
+    Pack *thin = diluted(pack, plan, &report, n == 1 ? UNREACHED : DONE);
+    gsl_test(!thin || thin->n != n || (n > 1 && !(pack_audit(thin) > 0)),
+             "%zu particles diluted: %g", n, report.reached);
+    pack_free(&thin);
+    pack_free(&pack);
+  }
+}
+
 int main(void) {
   for (int dim = 2; dim <= 3; dim++) {
     Pack *pack = dense(dim, 800);
@@ -142,6 +156,7 @@ int main(void) {
     lands(dim, pack);
     ranges(dim, pack);
     pack_free(&pack);
+    few(dim);
   }
   two();
   return gsl_test_summary();
