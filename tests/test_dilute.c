@@ -131,6 +131,16 @@ static void two(void) {
   gsl_test(end->n != pack->n || pack_kind(end, end->n - 1) != 1,
            "species stay");
   pack_free(&end);
+  thin = (DilutePlan){.fraction = 0.4, .part = 1};
+  end = diluted(pack, thin, &report, DONE);
+  Pack *again = diluted(pack, thin, &report, DONE);
+  gsl_test(memcmp(end->x, again->x, 3 * end->n * sizeof *end->x) != 0,
+           "the same bytes again");
+  gsl_test_rel(gravity_fraction(end, 0.6 * gravity_rim(end)), 0.4, 1e-12,
+               "two fractions land");
+  gsl_test(!(pack_audit(end) > -1.4e-9), "and do not overlap");
+  pack_free(&again);
+  pack_free(&end);
   pack_free(&pack);
   pack_free(&fine);
 }
