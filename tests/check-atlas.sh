@@ -19,6 +19,9 @@ tell 'a program with other results is not' other
 another() { rm -r "$kept" && atlas x && atlas --probe x && sed -i 's/seed = 5/seed = 6/' "$scene" && ! atlas --probe x &&
   grep -q 'another scene' "$tmp/log" && atlas x && atlas --probe x; }
 tell 'another scene is recorded anew' another
+part() { echo '# probe: --set measure={nearest={};}' >> "$scene" && atlas x && atlas --probe x && grep -q '^nearest	' "$tmp/build/data/x.probe/summary.tsv" &&
+  ! grep -q '^contact	' "$tmp/build/data/x.probe/summary.tsv" && sed -i 's/^\(attempts	[^	]*\)/\11/' "$kept/probe.tsv" && ! atlas --probe x; }
+tell 'a part of it will do, and is compared' part
 for scene in $(grep -lx '# atlas' figures/*.scene); do
   name=$(basename "$scene" .scene)
   tell "$name has its record" cmp -s <(sed '/^#/d' "data/atlas/$name/record" 2> /dev/null) <(sed '/^ *#/d' "$scene")

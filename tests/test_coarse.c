@@ -75,6 +75,17 @@ static void sound(const char *what, const Pack *pack,
   gsl_test_rel(gravity_rim(pack), report->rim, 1e-12, "%s: the rim", what);
 }
 
+/* So many of these marked and grown, and sound. */
+static Pack *marked(const char *what, const Pack *fine, Species coarse,
+                    const double end[], double step, CoarseReport *report) {
+  CoarsePlan plan = {.step = step};
+  Outcome out = {0};
+  Rng rng = rng_stream(6, 0, RNG_TEST);
+  Pack *pack = coarse_mark(fine, &coarse, end, &plan, &rng, report, &out);
+  sound(what, pack, report, &out);
+  return pack;
+}
+
 /* The least gap of a particle of the last species: 0, if they have grown as far
    as told and no farther. */
 static double coarse_gap(const Pack *pack) {
@@ -98,13 +109,9 @@ static double coarse_gap(const Pack *pack) {
 /* Most of a pack marked. */
 static void most(void) {
   Pack *fine = fine_pack(2, 30, 5);
-  Species coarse = {"coarse", 0.6, 25};
-  CoarsePlan plan = {.step = 0};
   CoarseReport report;
-  Outcome out = {0};
-  Rng rng = rng_stream(6, 0, RNG_TEST);
-  Pack *pack = coarse_mark(fine, &coarse, NULL, &plan, &rng, &report, &out);
-  sound("most are marked", pack, &report, &out);
+  Pack *pack = marked("most are marked", fine, (Species){"coarse", 0.6, 25},
+                      NULL, 0, &report);
   gsl_test(pack->n != 30 || pack->species[0].count != 5,
            "nobody is marked twice");
   pack_free(&pack);
@@ -147,16 +154,12 @@ static void added(int dim) {
 /* Each of the marked to a radius of its own. */
 static void own(void) {
   Pack *fine = fine_pack(3, 800, 5);
-  Species coarse = {"coarse", 1.5, 10};
   double end[10];
   for (int c = 0; c < 10; c++)
     end[c] = 0.6 + 0.1 * c;
-  CoarsePlan plan = {.step = 0};
   CoarseReport report;
-  Outcome out = {0};
-  Rng rng = rng_stream(6, 0, RNG_TEST);
-  Pack *pack = coarse_mark(fine, &coarse, end, &plan, &rng, &report, &out);
-  sound("own radii", pack, &report, &out);
+  Pack *pack = marked("own radii", fine, (Species){"coarse", 1.5, 10}, end, 0,
+                      &report);
   gsl_test(pack->n != 800 || memcmp(pack->radius + 790, end, sizeof end) != 0,
            "own radii at the end");
   gsl_test(pack->radius[789] != 0.5 || pack_kind(pack, 789) != 0,
@@ -169,24 +172,18 @@ static void own(void) {
    times the others. */
 static void hard(void) {
   Pack *fine = fine_pack(3, 400, 5);
-  Species coarse = {"coarse", 1.5, 400};
   double end[400];
   for (int c = 0; c < 400; c++)
     end[c] = 0.5 + 0.0025 * (c * 171 % 400);
-  CoarsePlan plan = {.step = 0};
   CoarseReport report;
-  Outcome out = {0};
-  Rng rng = rng_stream(6, 0, RNG_TEST);
-  Pack *pack = coarse_mark(fine, &coarse, end, &plan, &rng, &report, &out);
-  sound("all marked", pack, &report, &out);
+  Pack *pack = marked("all marked", fine, (Species){"coarse", 1.5, 400}, end, 0,
+                      &report);
   double phi = gravity_fraction(pack, 0.5 * report.rim);
   gsl_test(pack->species[0].count != 0 || !(phi > 0.55 && phi < 0.75),
            "all have grown: %.4f", phi);
   pack_free(&pack);
-  coarse = (Species){"coarse", 50, 1};
-  plan.step = 2;
-  pack = coarse_mark(fine, &coarse, NULL, &plan, &rng, &report, &out);
-  sound("a ratio of 100", pack, &report, &out);
+  pack = marked("a ratio of 100", fine, (Species){"coarse", 50, 1}, NULL, 2,
+                &report);
   pack_free(&pack);
   pack_free(&fine);
 }
