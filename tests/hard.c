@@ -46,7 +46,7 @@ static bool no_particle(void) {
   order_windows(pack, 2, WINDOWS_AROUND, 0, NULL, windows);
   BondRule rule = order_rule(3);
   Neighbours *list = cells_neighbours(pack, 2);
-  sum += pack_fraction(pack) + order_bonds(pack, &rule).global +
+  sum += pack_fraction(pack) + order_bonds(pack, &rule, NULL).global +
          order_contacts(pack, 0.1) + windows->mean + (double)list->first[0] +
          contact_value(pack, 2, 2, 0).value;
   bool endless = cells_least_gap(pack) == GSL_POSINF;
@@ -149,7 +149,7 @@ static bool one_point(void) {
   Pack *pack = make(3, cube, 2, 1, x);
   BondRule rule = order_rule(3);
   uint64_t count[3], below = pairs_count(pack, 2, 0.5, 3, count);
-  double gap = cells_least_gap(pack), bonds = order_bonds(pack, &rule).bonds;
+  double gap = cells_least_gap(pack), bonds = order_bonds(pack, &rule, NULL).bonds;
   Neighbours *list = cells_neighbours(pack, 1);
   printf("gap %g, %d pair below contact, %zu neighbours, %g bonds", gap,
          (int)below, list->first[2], bonds);

@@ -176,7 +176,7 @@ static void isostatic(int dim, size_t n, size_t n2, double ratio, uint64_t seed,
   CrmReport report;
   Outcome out = {0};
   int status = crm_jam(pack, &plan, &rng, &report, &out);
-  Backbone frame = order_backbone(pack, 3e3 / Z);
+  Backbone frame = order_backbone(pack, 3e3 / Z, NULL);
   double phi = pack_fraction(pack), gap = pack_audit(pack) / 2;
   BondRule rule = order_rule(dim);
   long needed = dim * ((long)frame.particles - 1) + 1;
@@ -185,7 +185,7 @@ static void isostatic(int dim, size_t n, size_t n2, double ratio, uint64_t seed,
            "%d-D N=%zu: %zu contacts of %zu, %ld needed; phi %.4f, rattlers "
            "%.3f, Q6 %.3f, gap %.1e %s",
            dim, pack->n, frame.contacts, frame.particles, needed, phi,
-           frame.rattlers, order_bonds(pack, &rule).global, gap, out.text);
+           frame.rattlers, order_bonds(pack, &rule, NULL).global, gap, out.text);
   pack_free(&pack);
 }
 

@@ -1,5 +1,6 @@
 /* Coarse fractions: turns against all pairs, numbers, radii, overlaps. */
 #include "coarse.h"
+#include "core.h"
 #include "outcome.h"
 #include "ref_gravity.h"
 #include "rng.h"
@@ -72,7 +73,7 @@ static void sound(const char *what, const Pack *pack,
   gsl_test(!(pack_audit(pack) > -1e-9), "%s: overlap %g", what,
            -pack_audit(pack));
   gsl_test(!(report->overlap < 1e-9), "%s: reported %g", what, report->overlap);
-  gsl_test_rel(gravity_rim(pack), report->rim, 1e-12, "%s: the rim", what);
+  gsl_test_rel(pack->open, report->rim, 1e-12, "%s: the rim", what);
 }
 
 /* So many of these marked and grown, and sound. */
@@ -138,8 +139,8 @@ static void added(int dim) {
   gsl_test(report.turns != 30 * 5, "five turns each: 2/3 by 0.15");
   gsl_test(report.destroyed < 100 || report.destroyed > 1000,
            "%d-D: destroyed %zu", dim, report.destroyed);
-  double base = gravity_fraction(fine, 0.6 * gravity_rim(fine));
-  double phi = gravity_fraction(two, 0.6 * gravity_rim(two));
+  double base = core_fraction(fine, 0.6 * fine->open);
+  double phi = core_fraction(two, 0.6 * two->open);
   gsl_test(!(phi > base - 0.03 && phi < base + 0.08),
            "%d-D: fraction %.4f of two, %.4f of one", dim, phi, base);
   three = coarse_add(two, &large, &plan, &rng, &again, &out);
@@ -178,7 +179,7 @@ static void hard(void) {
   CoarseReport report;
   Pack *pack = marked("all marked", fine, (Species){"coarse", 1.5, 400}, end, 0,
                       &report);
-  double phi = gravity_fraction(pack, 0.5 * report.rim);
+  double phi = core_fraction(pack, 0.5 * report.rim);
   gsl_test(pack->species[0].count != 0 || !(phi > 0.55 && phi < 0.75),
            "all have grown: %.4f", phi);
   pack_free(&pack);

@@ -1,6 +1,7 @@
 /* Dilution: exact fractions, exact radii, ranges, order kept and lost. */
 #include "cells.h"
 #include "coarse.h"
+#include "core.h"
 #include "dilute.h"
 #include "outcome.h"
 #include "rng.h"
@@ -74,7 +75,7 @@ static void lands(int dim, const Pack *pack) {
     DilutePlan plan = {.fraction = 0.35, .part = t ? 1 : 0.3};
     DiluteReport report;
     Pack *thin = diluted(pack, plan, &report, DONE);
-    double phi = gravity_fraction(thin, 0.6 * gravity_rim(thin));
+    double phi = core_fraction(thin, 0.6 * thin->open);
     gsl_test_rel(phi, 0.35, 1e-12, "%d-D: lands", dim);
     gsl_test_rel(report.reached, phi, 1e-15, "as reported");
     gsl_test(!(pack_audit(thin) > -1.4e-9), "%d-D: overlap %g", dim,
@@ -136,7 +137,7 @@ static void two(void) {
   Pack *again = diluted(pack, thin, &report, DONE);
   gsl_test(memcmp(end->x, again->x, 3 * end->n * sizeof *end->x) != 0,
            "the same bytes again");
-  gsl_test_rel(gravity_fraction(end, 0.6 * gravity_rim(end)), 0.4, 1e-12,
+  gsl_test_rel(core_fraction(end, 0.6 * end->open), 0.4, 1e-12,
                "two fractions land");
   gsl_test(!(pack_audit(end) > -1.4e-9), "and do not overlap");
   pack_free(&again);

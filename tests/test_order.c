@@ -245,7 +245,7 @@ static void brute_bonds(const Pack *pack, BondRule rule, const char *name) {
     local += own[i] ? sqrt(dot[i * n + i]) / own[i] / (double)n : 0;
     solid += good[i] >= rule.bonds;
   }
-  BondOrder order = order_bonds(pack, &rule);
+  BondOrder order = order_bonds(pack, &rule, NULL);
   gsl_test(order.bonds != (double)bonds / (double)n, "%s: bonds", name);
   gsl_test_abs(order.global, sqrt(total) / (double)bonds, 1e-10,
                "%s: global order", name);
@@ -341,7 +341,7 @@ static void test_empty(void) {
   for (int dim = 2; dim <= 3; dim++) {
     Pack *none = gas(dim, 0, 0.31, side);
     BondRule rule = order_rule(dim);
-    BondOrder order = order_bonds(none, &rule);
+    BondOrder order = order_bonds(none, &rule, NULL);
     order_windows(none, 0.4, WINDOWS_AROUND, 0, NULL, windows);
     gsl_test(windows->windows != 0 || windows->mean != 0 ||
                  windows->variance != 0,
@@ -363,14 +363,14 @@ static void test_empty(void) {
     gsl_test(nearest[0] != 0 || nearest[1] != 0 || nearest[2] != 0.25,
              "two points at one place");
     gsl_test(order_contacts(points, 0.1) != 0, "points do not touch");
-    order = order_bonds(points, &rule);
+    order = order_bonds(points, &rule, NULL);
     gsl_test(order.bonds != 0, "points have no bonds");
     points->species[0].radius = 0.11;
-    order = order_bonds(points, &rule);
+    order = order_bonds(points, &rule, NULL);
     gsl_test_rel(order.bonds, 4 / 3., 1e-15, "a bond of length 0 is none");
     gsl_test(!(order.global <= 1.000001), "and breaks nothing");
     rule.bonds = 2;
-    order = order_bonds(points, &rule);
+    order = order_bonds(points, &rule, NULL);
     gsl_test_rel(order.solid, 1 / 3., 1e-15, "nor is it solid");
     pack_free(&points);
   }
@@ -551,13 +551,13 @@ static void test_crystals(void) {
       Pack *pack = lattice_make(crystals[c].kind, n_l, &one, 0);
       BondRule rule = order_rule(pack->box.dim);
       rule.cut = crystals[c].cut;
-      BondOrder order = order_bonds(pack, &rule);
+      BondOrder order = order_bonds(pack, &rule, NULL);
       gsl_test_abs(order.global, crystals[c].global, 1e-12, "%s: global", name);
       gsl_test_abs(order.local, crystals[c].global, 1e-12, "%s: local", name);
       gsl_test(order.solid != crystals[c].solid, "%s: solid", name);
       gsl_test(order.bonds != crystals[c].bonds, "%s: bonds", name);
       rule.bonds = 1;
-      order = order_bonds(pack, &rule);
+      order = order_bonds(pack, &rule, NULL);
       gsl_test(order.solid != (crystals[c].global > 0),
                "%s: a zero vector is not aligned", name);
       for (double tolerance = 1e-12; tolerance < 0.14; tolerance *= 11)
@@ -587,7 +587,7 @@ static void test_hcp(void) {
       pack->x[3 * i + k] =
           cell[i % 4][k] + (k == 0 ? (double)(i / 4) : 0) + 0.1;
   BondRule rule = order_rule(3);
-  BondOrder order = order_bonds(pack, &rule);
+  BondOrder order = order_bonds(pack, &rule, NULL);
   gsl_test_abs(pack_audit(pack), 0, 1e-15, "hcp touches");
   gsl_test(order.bonds != 12, "hcp: bonds");
   gsl_test_rel(order.global, 13 * sqrt(1038) / 864, 1e-12, "hcp: global");
@@ -659,7 +659,7 @@ static void test_rotated(void) {
     const char *name = lattice_name(crystals[c].kind);
     BondRule rule = order_rule(pack->box.dim);
     rule.cut = crystals[c].cut;
-    BondOrder order = order_bonds(pack, &rule);
+    BondOrder order = order_bonds(pack, &rule, NULL);
     gsl_test_abs(pack_audit(pack), 0, 1e-14, "rotated %s touches", name);
     gsl_test_abs(order.global, crystals[c].global, 1e-12, "rotated %s: global",
                  name);
@@ -668,7 +668,7 @@ static void test_rotated(void) {
     gsl_test(order.bonds != crystals[c].bonds, "rotated %s: bonds", name);
     gsl_test(order.solid != crystals[c].solid, "rotated %s: solid", name);
     rule.bonds = 1;
-    order = order_bonds(pack, &rule);
+    order = order_bonds(pack, &rule, NULL);
     gsl_test(order.solid != (crystals[c].global > 0),
              "rotated %s: a sum of rounding errors is not aligned", name);
     pack_free(&pack);
@@ -687,7 +687,7 @@ static void test_turned(void) {
       other->x[3 * i + (k + 1) % 3] = box_wrap(y, side[k]);
     }
   BondRule rule = order_rule(3);
-  BondOrder a = order_bonds(pack, &rule), b = order_bonds(other, &rule);
+  BondOrder a = order_bonds(pack, &rule, NULL), b = order_bonds(other, &rule, NULL);
   gsl_test_rel(b.global, a.global, 1e-12, "turned: global");
   gsl_test_rel(b.local, a.local, 1e-12, "turned: local");
   gsl_test(b.solid != a.solid || b.bonds != a.bonds, "turned: counts");
@@ -706,7 +706,7 @@ static void test_walk(int dim) {
   for (uint64_t k = 0; k < PACKS; k++) {
     Rng rng = rng_stream(83, k, RNG_TEST);
     throw(pack, &rng);
-    BondOrder order = order_bonds(pack, &rule);
+    BondOrder order = order_bonds(pack, &rule, NULL);
     double bonds = order.bonds * 30;
     double walk = bonds * bonds * order.global * order.global - bonds;
     sum += walk / PACKS;
@@ -728,7 +728,7 @@ static void test_solid(void) {
                         (dim == 3 ? side[2] : 1) / pack_ball(dim, radius));
     Pack *pack = rsa(dim, n, radius, side, &rng);
     BondRule rule = order_rule(dim);
-    BondOrder order = order_bonds(pack, &rule);
+    BondOrder order = order_bonds(pack, &rule, NULL);
     gsl_test(order.solid > 0.02, "dim = %d: RSA is not solid, %g", dim,
              order.solid);
     gsl_test(order.global * sqrt(order.bonds * (double)n / 2) > 3,
@@ -739,7 +739,7 @@ static void test_solid(void) {
                         dim == 3 ? 0.6 : 0.75);
     for (size_t i = 0; i < pack->n * (size_t)dim; i++)
       pack->x[i] += 0.1 * (rng_uniform(&rng) - 0.5);
-    order = order_bonds(pack, &rule);
+    order = order_bonds(pack, &rule, NULL);
     gsl_test(order.solid < 0.99, "dim = %d: a shaken crystal is, %g", dim,
              order.solid);
     pack_free(&pack);
@@ -750,7 +750,7 @@ static void test_solid(void) {
 static void backbone(void) {
   Species one = {"A", 1, 0};
   Pack *pack = lattice_make(LATTICE_FCC, 1, &one, M_PI / sqrt(18));
-  Backbone b = order_backbone(pack, 1e-9);
+  Backbone b = order_backbone(pack, 1e-9, NULL);
   gsl_test(b.coordination != 12 || b.backbone != 12 || b.rattlers != 0 ||
                b.particles != pack->n || b.contacts != 6 * pack->n,
            "fcc: the backbone is all of it, %zu contacts", b.contacts);
@@ -765,7 +765,7 @@ static void backbone(void) {
     pack->x[3 * i + 2] = 2 * (double)(i % 3);
   }
   pack->x[81] = pack->x[82] = pack->x[83] = 1;
-  b = order_backbone(pack, 1e-9);
+  b = order_backbone(pack, 1e-9, NULL);
   gsl_test(b.contacts != 81 || b.particles != 27 || b.backbone != 6,
            "a loose sphere in a cubic lattice is no part of its backbone");
   gsl_test_abs(b.rattlers, 1. / 28, 1e-15, "one rattler of 28");
@@ -779,7 +779,7 @@ static void backbone(void) {
     pack->x[2 * i] = 5 + 2 * (double)(i / 3);
     pack->x[2 * i + 1] = 5 + 2 * (double)(i % 3);
   }
-  b = order_backbone(pack, 1e-9);
+  b = order_backbone(pack, 1e-9, NULL);
   gsl_test(b.particles != 0 || b.contacts != 0 || b.rattlers != 1,
            "nothing holds nine discs: %zu are said to be held", b.particles);
   gsl_test_abs(b.coordination, 24. / 9, 1e-14, "their coordination");
