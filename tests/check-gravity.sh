@@ -1,0 +1,84 @@
+#!/bin/bash
+# tests/check-gravity.sh: packs by gravity from scenes: one size, several, by laws, diluted; finite packs in files and in statistics.
+. tests/tell.sh
+run() { ends 0 "$randpack" run "$tmp/$1.scene" --out "$tmp/$2" "${@:3}"; } # run SCENE DIR SETTING...
+holds() { awk -F'\t' "{ v[\$1] = \$2; e[\$1] = \$3 } function near(a, b, t) { return (a - b) ^ 2 <= t * t } END { exit !($2) }" "$tmp/$1/summary.tsv" ||
+  { echo "not so: $2"; return 1; }; } # holds DIR TEST
+cat > "$tmp/one.scene" <<'END'
+dimension = 3; seed = 6; realizations = 2; save = true;
+species = ( { name = "A"; radius = 2.0; number = 3000; } );
+make = { method = "gravity"; };
+measure = { rdf = { step = 0.05; reach = 4.0; }; K = { step = 0.5; reach = 4.0; }; nearest = { reach = 3.0; step = 0.1; }; histogram = {};
+            coordination = { tolerance = 1e-7; }; order = {}; profile = { step = 0.1; }; radial = { bins = 5; }; };
+END
+made() { run one one && holds one 'v["fraction"] > 0.58 && v["fraction"] < 0.62 && v["overlap"] < 1e-9 && v["min_gap"] > -1e-9 &&
+  v["number"] == 3000 && v["coordination"] > 3 && v["coordination"] < 3.5 && v["rattlers"] == 1 && v["carry"] <= 0.3001 && v["passes"] > 0 && !("isostatic_excess" in v)'; }
+tell 'spheres come to rest by gravity' made
+profile() { awk -F'\t' '/^#/ || /^x/ { next } { n++; x = $1; phi = $2 } END { exit !(n == 10 && x == 1 && phi > 0.3 && phi < 0.5) }' "$tmp/one/profile.tsv" &&
+  awk -F'\t' -v want="$(awk -F'\t' '$1 == 1 { print $2 }' "$tmp/one/profile.tsv")" '/^#/ || /^x/ { next }
+    { sum += $2 * (($1 + 0.05) ^ 3 - ($1 - 0.05) ^ 3) } END { exit !((sum - want) ^ 2 < 1e-18) }' "$tmp/one/profile-shells.tsv"; }
+tell 'its profile falls outwards, and shells add up to the ball' profile
+solid() { awk -F'\t' '$1 == 1 { print $2 }' "$tmp/one/profile.tsv" > "$tmp/phi"
+  holds one "near($(cat "$tmp/phi") * v[\"rim\"] ^ 3, 3000, 30)"; }
+tell 'the whole holds all of them' solid
+curves() { awk -F'\t' '/^#/ || /^R/ { next } { g[++n] = $2; k += 4 / 3 * 3.14159265 * $2 * (($1 + 0.025) ^ 3 - ($1 - 0.025) ^ 3) }
+    END { exit !(n == 40 && g[1] > 10 && k > 275 && k < 300) }' "$tmp/one/rdf.tsv" &&
+  awk -F'\t' '/^#/ || /^R/ { next } { k[$1] = $2 } END { exit !(k[1.5] == 0 && k[2.5] > 60 && k[2.5] < 85 && k[4] > 275 && k[4] < 300) }' "$tmp/one/K.tsv"; }
+tell 'its pairs are counted from the core' curves
+windows() { awk -F'\t' -v m="$(value window_mean "$tmp/one")" '/^#/ || /^n/ { next } { s += $2; t += $1 * $2 } END { exit !((s - 1) ^ 2 < 1e-12 && (t - m) ^ 2 < 1e-10) }' "$tmp/one/histogram.tsv" &&
+  K=$(awk -F'\t' '$1 == 2.5 { print $2 }' "$tmp/one/K.tsv") && holds one "near(v[\"window_mean\"], $K * v[\"fraction\"] / (4 / 3 * 3.14159265), 0.6)"; }
+tell 'windows on centres hold as many as K says' windows
+random() { run one random --set measure.histogram.centre=random && holds random 'near(v["window_mean"], v["fraction"] * 2.5 ^ 3, 0.15)'; }
+tell 'and on random points as many as the fraction says' random
+file() { head -2 "$tmp/one/pack-0.xyz" | grep -q 'pbc="F F F".* open=' &&
+  ends 0 "$randpack" measure "$tmp"/one/pack-{0,1}.xyz --scene "$tmp/one.scene" --out "$tmp/again" || return 1
+  for f in rdf K nearest histogram profile profile-shells radial; do
+    cmp -s <(grep -v '^#' "$tmp/one/$f.tsv") <(grep -v '^#' "$tmp/again/$f.tsv") || { echo "$f differs"; return 1; }; done
+  for q in fraction reach coordination Q6 radial_order centres min_gap; do
+    [ "$(value $q "$tmp/one")" = "$(value $q "$tmp/again")" ] || { echo "$q differs"; return 1; }; done; }
+tell 'the file of a finite pack says so, and is measured the same' file
+threads() { run one t1 --threads 1 && run one t2 --threads 2 && diff -r "$tmp/t1" "$tmp/t2"; }
+tell 'with one thread and with two the same' threads
+small() { ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/none" --set inside=0.2 && grep -q 'give more particles, or a larger part inside' "$tmp/err" && [ ! -e "$tmp/none/summary.tsv" ]; }
+tell 'a core that is too small is told' small
+cube() { run one cube --set cube=1.0 && head -2 "$tmp/cube/cube-0.xyz" | grep -q 'pbc="F F F"' && awk 'NR == 2 { split($0, p, "[\" ]"); s = p[2] + 0 }
+    NR > 2 { n++; for (k = 2; k < 5; k++) if ($k < 0 || $k >= s) bad++ } END { exit !(n > 100 && !bad) }' "$tmp/cube/cube-0.xyz" &&
+  ends 0 "$randpack" measure "$tmp/cube/cube-0.xyz" --scene "$tmp/one.scene" --out "$tmp/cut" --set inside=0.8 \
+    --set 'measure={coordination={};}' && holds cut 'v["fraction"] > 0.55 && v["fraction"] < 0.65 && v["coordination"] > 2.9 && v["coordination"] < 3.6'; }
+tell 'a cube is cut from the core, and is a bounded sample' cube
+plan() { ends 0 "$randpack" plan "$tmp/one.scene" --set cube=0.5 && grep -q '^box.*none: a finite pack' "$tmp/out" && grep -q '^modules.* field gravity' "$tmp/out" &&
+  grep -q ' profile.tsv profile-shells.tsv radial.tsv.* pack-K.xyz cube-K.xyz' "$tmp/out"; }
+tell 'the plan tells of it' plan
+literal() { run one literal --set make.mode=literal --set measure.histogram.radius=2.2 && holds literal 'v["growths"] == 25 && v["passes"] == 6 && v["overlap"] > 1e-6 && v["min_gap"] < 0'; }
+tell 'the letter leaves overlaps, and says so' literal
+cat > "$tmp/two.scene" <<'END'
+dimension = 2; seed = 3; save = true;
+species = ( { name = "fine"; radius = 1.0; number = 1500; }, { name = "coarse"; radius = 3.0; number = 40; } );
+make = { method = "gravity"; };
+measure = { coordination = {}; };
+END
+add() { run two add && holds add 'v["number.coarse"] == 40 && v["number.fine"] + v["destroyed"] == 1500 && v["destroyed"] > 100 && v["overlap"] < 1e-9 &&
+  v["min_gap"] > -1e-9 && v["turns"] >= 200 && v["fraction"] > 0.75 && near(v["core.fine"] + v["core.coarse"], 1, 1e-9)'; }
+tell 'coarse discs are added, and make room by destroying' add
+mark() { run two mark --set 'species=({name="fine";radius=1.0;number=1500;},{name="coarse";radius=3.0;number=40;grow="mark";})' &&
+  holds mark 'v["number.coarse"] == 40 && v["number.fine"] == 1500 && v["destroyed"] == 0 && v["overlap"] < 1e-9'; }
+tell 'or are marked, and nobody is destroyed' mark
+together() { run two together --set 'species=({name="fine";radius=1.0;number=1000;},{name="coarse";radius=2.0;number=250;grow="together";})' &&
+  holds together 'v["core.coarse"] < 0.4 && v["overlap"] < 1e-9'; }
+tell 'or grow together, and separate' together
+law() { run two law --set 'species=({name="fine";radius=1.0;number=1000;},{name="C";radius=2.0;number=100;grow="mark";sizes={law="lognormal";spread=0.2;least=1.2;most=4.0;};})' &&
+  awk '$1 == "C" { n++; if ($5 < 1.2 || $5 > 4) bad++; if ($5 != last) kinds++; last = $5 } END { exit !(n == 100 && !bad && kinds > 90) }' "$tmp/law/pack-0.xyz"; }
+tell 'marked ones grow each to its own radius' law
+three() { run two three --set 'species=({name="a";radius=1.0;number=2000;},{name="b";radius=2.0;number=60;},{name="c";radius=4.0;number=12;})' &&
+  holds three 'v["number.a"] + v["destroyed"] >= 2000 && v["number.c"] == 12 && v["overlap"] < 1e-9'; }
+tell 'three sizes are built from fine to coarse' three
+shares() { run two none --set 'species=({name="fine";radius=1.0;number=500;},{name="coarse";radius=3.0;number=0;})' && holds none 'v["number.coarse"] == 0 && v["number"] == 500' &&
+  run two all --set 'species=({name="fine";radius=1.0;number=0;},{name="coarse";radius=1.5;number=100;grow="mark";})' && holds all 'v["number.fine"] == 0 && v["number.coarse"] == 100'; }
+tell 'no coarse ones and nothing else are packs too' shares
+thin() { run one thin --set fraction=0.3 --set 'dilute={}' --set 'measure={nearest={reach=4.0;step=0.1;};coordination={};}' && holds thin 'near(v["fraction"], 0.3, 1e-12) && near(v["fraction_dense"], 0.6, 0.02) && v["min_gap"] > -1e-9 && v["aims"] >= 1'; }
+tell 'a pack is diluted to its very fraction' thin
+undone() { ends 2 "$randpack" run "$tmp/one.scene" --out "$tmp/undone" --set fraction=0.7 --set 'dilute={}' && [ ! -e "$tmp/undone/summary.tsv" ]; }
+tell 'and not to a higher one' undone
+of_file() { ends 2 "$randpack" measure "$tmp/one/pack-0.xyz" --scene "$tmp/one.scene" --out "$tmp/undone" --set 'measure={pressure={};}' && grep -q 'measure.pressure is not of finite packs' "$tmp/err"; }
+tell 'a finite file has no pressure' of_file
+exit $failed
