@@ -513,7 +513,7 @@ static void test_around(int dim, bool full) {
       double square = 0;
       for (size_t k = 0; k < (size_t)dim; k++)
         square += gsl_pow_2(pack->x[i * (size_t)dim + k] - side[k] / 2);
-      of[i] = set == 0 ? i * i % 7 == 2 : set == 1 ? square < 12 : set == 3;
+      of[i] = set == 0 ? i * i % 7 == 2 : set == 1 ? square < (full ? 70 : 12) : set == 3;
     }
     uint64_t below = pairs_count_around(pack, of, 0.31, 0.113, BINS, count);
     uint64_t other = slow_around(pack, of, 0.31, 0.113, BINS, slow), sum = 0;

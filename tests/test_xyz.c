@@ -148,12 +148,12 @@ static void finite_trip(int dim, size_t n, bool own) {
 
 /* Somebody's sample: the same separations about the same middle, in a box where no image is near; and that again. */
 static void sample(int dim, const char *open, double told) {
-  const double at[3][3] = {{-0.5, 0.25, 2}, {7.75, 3.5, 0.5}, {4, 0.125, 5.875}}, middle[3] = {4, 2, 3};
+  const double at[3][3] = {{-2.5, 0.25, 2}, {7.75, 3.5, 0.5}, {4, 0.125, 5.875}}, middle[3] = {4, 2, 3};
   char text[512];
   Outcome out;
   snprintf(text, sizeof text,
            "3\nLattice=\"8 0 0 0 4 0 0 0 6\" Properties=species:S:1:pos:R:3:radius:R:1" FINITE "%s%s\n"
-           "A -0.5 0.25 2 1\nA 7.75 3.5 0.5 1\nB 4 0.125 5.875 2\n", open, dim == 2 ? " dimension=2" : "");
+           "A -2.5 0.25 2 1\nA 7.75 3.5 0.5 1\nB 4 0.125 5.875 2\n", open, dim == 2 ? " dimension=2" : "");
   Pack *pack = read_text(text, &out);
   gsl_test(!pack || pack->box.dim != dim, "%d-D, a sample is read: %s", dim, out.text);
   if (!pack)
@@ -165,7 +165,7 @@ static void sample(int dim, const char *open, double told) {
       wrong += fabs(pack->x[i * (size_t)dim + k] - pack->box.side[k] / 2 - (at[i][k] - middle[k]));
   gsl_test(!(wrong < 1e-14), "%d-D, a sample: about its middle (%g)", dim, wrong);
   for (int k = 0; k < dim; k++)
-    gsl_test(!(pack->box.side[k] >= 18), "%d-D, a sample: a wide box", dim);
+    gsl_test(!(pack->box.side[k] >= 26), "%d-D, a sample: a wide box", dim);
   write_to(path, pack, "");
   Pack *back = xyz_read(path, &out);
   gsl_test(!back || back->open != told || memcmp(&back->box, &pack->box, sizeof(Box)) ||
@@ -190,7 +190,10 @@ static void test_finite(void) {
   pack = read_text("2\n" HEAD FINITE " open=2\nA 1 2 3 1\nA 4 6 7 1\n", &out);
   gsl_test(!pack || pack->box.side[0] != 8 || pack->x[5] != 7, "places over half of the box: it is wide");
   pack_free(&pack);
-  pack = read_text("2\n" HEAD FINITE " open=2\nA 1 2 3 1\nA 4 6 8 1\n", &out);
+  pack = read_text("2\n" HEAD FINITE " open=2\nA 1 2 3 1\nA 4 6.5 7 1\n", &out);
+  gsl_test(!pack || pack->box.side[0] < 16, "over more than half of it: it is not");
+  pack_free(&pack);
+  pack = read_text("2\n" HEAD FINITE " open=2\nA 1 2 4 1\nA 4 6 8 1\n", &out);
   gsl_test(!pack || pack->box.side[0] < 16, "one on the far face: it is not");
   pack_free(&pack);
 }
