@@ -9,6 +9,7 @@
 #include <gsl/gsl_sf.h>
 #include <gsl/gsl_test.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { IMAGES = 4 }; /* brute force looks into so many copies each way */
 
@@ -223,17 +224,25 @@ static size_t gather(const Pack *pack, double cut, Bond *bond) {
   return bonds;
 }
 
+static bool chosen(size_t i, int some) {
+  return !some || i * i % 4 == 1;
+}
+
+/* Over all, and over some of them: every second, whose bonds may end anywhere. */
 static void brute_bonds(const Pack *pack, BondRule rule, const char *name) {
   size_t bonds = gather(pack, rule.cut, NULL), n = pack->n;
   Bond *bond = memory(bonds, sizeof *bond);
-  double *dot = memory(n * n, sizeof *dot), total = 0, local = 0, solid = 0;
+  double *dot = memory(n * n, sizeof *dot), total[2] = {0};
   int *own = memory(n, sizeof *own), *good = memory(n, sizeof *good);
+  bool *of = memory(n, sizeof *of);
   gather(pack, rule.cut, bond);
   for (size_t a = 0; a < bonds; a++)
     for (size_t b = 0; b < bonds; b++) {
       double value = kernel(pack->box.dim, bond + a, bond + b);
       dot[bond[a].i * n + bond[b].i] += value;
-      total += value;
+      for (int some = 0; some < 2; some++)
+        if (chosen(bond[a].i, some) && chosen(bond[b].i, some))
+          total[some] += value;
     }
   for (size_t a = 0; a < bonds; a++) {
     size_t i = bond[a].i, j = bond[a].j;
@@ -241,20 +250,115 @@ static void brute_bonds(const Pack *pack, BondRule rule, const char *name) {
     good[i] +=
         dot[i * n + j] / sqrt(dot[i * n + i] * dot[j * n + j]) > rule.aligned;
   }
-  for (size_t i = 0; i < n; i++) {
-    local += own[i] ? sqrt(dot[i * n + i]) / own[i] / (double)n : 0;
-    solid += good[i] >= rule.bonds;
+  for (int some = 0; some < 2; some++) {
+    double local = 0, solid = 0, begin = 0, many = 0;
+    for (size_t i = 0; i < n; i++)
+      if ((of[i] = chosen(i, some))) {
+        many++;
+        begin += own[i];
+        local += own[i] ? sqrt(dot[i * n + i]) / own[i] : 0;
+        solid += good[i] >= rule.bonds;
+      }
+    BondOrder order = order_bonds(pack, &rule, some ? of : NULL);
+    const char *whose = some ? "some" : "all";
+    many = GSL_MAX(many, 1);
+    gsl_test(order.bonds != begin / many, "%s: bonds of %s", name, whose);
+    gsl_test_abs(order.global, begin > 0 ? sqrt(fabs(total[some])) / begin : 0,
+                 1e-10, "%s: global order of %s", name, whose);
+    gsl_test_abs(order.local, local / many, 1e-10, "%s: local order of %s",
+                 name, whose);
+    gsl_test(order.solid != solid / many, "%s: solid of %s, %g not %g", name,
+             whose, order.solid, solid / many);
   }
-  BondOrder order = order_bonds(pack, &rule, NULL);
-  gsl_test(order.bonds != (double)bonds / (double)n, "%s: bonds", name);
-  gsl_test_abs(order.global, sqrt(total) / (double)bonds, 1e-10,
-               "%s: global order", name);
-  gsl_test_abs(order.local, local, 1e-10, "%s: local order", name);
-  gsl_test(order.solid != solid / (double)n, "%s: solid %g not %g", name,
-           order.solid, solid / (double)n);
+  free(of);
   free(good);
   free(own);
   free(dot);
+  free(bond);
+}
+
+/* The backbone by taking away, round after round, whoever has too few contacts
+   with those that are left; and what some of the particles have of it. */
+static void brute_backbone(const Pack *pack, double tolerance,
+                           const char *name) {
+  size_t many = gather(pack, 1 + tolerance, NULL), n = pack->n, left = 1;
+  Bond *bond = memory(many, sizeof *bond);
+  bool *gone = memory(n, sizeof *gone), *of = memory(n, sizeof *of);
+  gather(pack, 1 + tolerance, bond);
+  size_t *held = memory(n, sizeof *held);
+  while (left > 0) {
+    left = 0;
+    memset(held, 0, n * sizeof *held);
+    for (size_t c = 0; c < many; c++)
+      held[bond[c].i] += !gone[bond[c].i] && !gone[bond[c].j];
+    for (size_t i = 0; i < n; i++)
+      if (!gone[i] && held[i] < (size_t)pack->box.dim + 1)
+        left += gone[i] = true;
+  }
+  for (int masked = 0; masked < 2; masked++) {
+    size_t all = 0, ends = 0, found = 0, stay = 0;
+    for (size_t i = 0; i < n; i++) {
+      of[i] = chosen(i, masked);
+      all += of[i];
+      ends += of[i] ? held[i] : 0;
+      stay += of[i] && !gone[i];
+    }
+    for (size_t c = 0; c < many; c++)
+      found += of[bond[c].i];
+    Backbone b = order_backbone(pack, tolerance, masked ? of : NULL);
+    gsl_test(b.contacts != ends / 2 || b.particles != stay ||
+                 b.coordination != (all ? (double)found / (double)all : 0) ||
+                 b.backbone != (stay ? (double)ends / (double)stay : 0) ||
+                 b.rattlers != (all ? 1 - (double)stay / (double)all : 0),
+             "%s: backbone of %s at %g: %zu of %zu", name,
+             masked ? "some" : "all", tolerance, stay, all);
+  }
+  free(held);
+  free(of);
+  free(gone);
+  free(bond);
+}
+
+/* Contacts against the radius, with an arc cosine. */
+static void brute_radial(const Pack *pack, double tolerance, const char *name) {
+  enum { BINS = 7 };
+  size_t many = gather(pack, 1 + tolerance, NULL), dim = (size_t)pack->box.dim;
+  Bond *bond = memory(many, sizeof *bond);
+  bool *of = memory(pack->n, sizeof *of);
+  gather(pack, 1 + tolerance, bond);
+  for (int masked = 0; masked < 2; masked++) {
+    double p[BINS], share[BINS] = {0}, sum = 0, found = 0, worst = 0;
+    for (size_t i = 0; i < pack->n; i++)
+      of[i] = chosen(i, masked);
+    for (size_t c = 0; c < many; c++) {
+      double dot = 0, square = 0;
+      for (size_t k = 0; k < dim; k++) {
+        double x = pack->x[bond[c].i * dim + k] - pack->box.side[k] / 2;
+        dot += bond[c].u[k] * x;
+        square += x * x;
+      }
+      double angle = acos(GSL_MIN(fabs(dot) / sqrt(square), 1));
+      if (!of[bond[c].i])
+        continue;
+      sum += dim == 2 ? cos(2 * angle) : gsl_sf_legendre_P2(cos(angle));
+      share[(int)(cos(angle) * BINS)]++;
+      found++;
+    }
+    double P2 = order_radial(pack, tolerance, masked ? of : NULL, BINS, p);
+    for (int b = 0; b < BINS && found > 0; b++) {
+      double even = dim == 3 ? 1. / BINS
+                             : (acos((double)b / BINS) -
+                                acos(GSL_MIN((b + 1.) / BINS, 1))) /
+                                   M_PI_2;
+      worst = GSL_MAX(worst, fabs(p[b] - share[b] / found / even));
+    }
+    gsl_test(!(worst < 1e-10), "%s: contacts by their angle (%g)", name, worst);
+    if (found > 0)
+      gsl_test_abs(P2, sum / found, 1e-10, "%s: P2 of contacts", name);
+    else
+      gsl_test(!gsl_isnan(P2) || !gsl_isnan(p[0]), "%s: no contact, NaN", name);
+  }
+  free(of);
   free(bond);
 }
 
@@ -269,6 +373,10 @@ static void brute_all(const Pack *pack, double scale, const char *name) {
   brute_bonds(pack, order_rule(pack->box.dim), name);
   /* so that some are solid and some are not */
   brute_bonds(pack, (BondRule){2.3, 0.213, 4}, name);
+  brute_backbone(pack, 0.05, name);
+  brute_backbone(pack, 0.317, name);
+  brute_radial(pack, 0, name);
+  brute_radial(pack, 0.317, name);
 }
 
 static void test_brute(void) {
@@ -786,7 +894,120 @@ static void backbone(void) {
   pack_free(&pack);
 }
 
+/* A string of balls that touch, outwards along an axis: all is radial, the one
+   in the middle counting for nothing; a ring about the middle: all is across,
+   but for the bend; an oblique string: radial to rounding. */
+static void strings(int dim) {
+  enum { N = 9, BINS = 5 };
+  const double side[3] = {64, 64, 64};
+  double p[BINS];
+  Pack *pack = gas(dim, N, 0.5, side);
+  for (size_t i = 0; i < N; i++)
+    for (size_t k = 0; k < (size_t)dim; k++)
+      pack->x[i * (size_t)dim + k] = 32 + (k == 1 ? (double)i : 0);
+  double P2 = order_radial(pack, 1e-9, NULL, BINS, p);
+  gsl_test(P2 != 1, "%d-D: a radial string has P2 = 1, not %.17g", dim, P2);
+  double last = dim == 3 ? BINS : M_PI_2 / acos(0.8);
+  gsl_test_rel(p[BINS - 1], last, 1e-14, "%d-D: all in the last bin", dim);
+  gsl_test(p[0] != 0 || p[BINS - 2] != 0, "%d-D: none in the others", dim);
+  for (size_t i = 0; i < N; i++)
+    for (size_t k = 0; k < (size_t)dim; k++)
+      pack->x[i * (size_t)dim + k] =
+          32 + (i + 1.) * (k == 2 ? 0 : k == 1 ? 0.6 : -0.8);
+  P2 = order_radial(pack, 1e-9, NULL, BINS, p);
+  gsl_test_abs(P2, 1, 1e-14, "%d-D: an oblique string", dim);
+  gsl_test_rel(p[BINS - 1], last, 1e-14, "%d-D: and all in the last bin", dim);
+  for (size_t i = 0; i < N; i++) { /* a regular polygon */
+    double t = 2 * M_PI * (double)i / N, R = 0.5 / sin(M_PI / N);
+    for (size_t k = 0; k < (size_t)dim; k++)
+      pack->x[i * (size_t)dim + k] =
+          32 + R * (k == 2 ? 0 : k == 1 ? sin(t) : cos(t));
+  }
+  double c2 = gsl_pow_2(sin(M_PI / N));
+  P2 = order_radial(pack, 1e-9, NULL, BINS, p);
+  gsl_test_abs(P2, dim == 2 ? 2 * c2 - 1 : (3 * c2 - 1) / 2, 1e-12,
+               "%d-D: a ring is across", dim);
+  bool of[N] = {false};
+  P2 = order_radial(pack, 1e-9, of, BINS, p);
+  gsl_test(!gsl_isnan(P2) || !gsl_isnan(p[0]), "%d-D: nobody, NaN", dim);
+  pack_free(&pack);
+}
+
+/* Bonds of the cubic lattice with six neighbours to the radius of a particle at
+   (1, 2, 3): c = 1, 2, 3 over the root of 14, twice each. */
+static void radial_lattice(void) {
+  enum { BINS = 10 };
+  Species one = {"", 0.5, 0};
+  Pack *pack = lattice_make(LATTICE_CUBIC, 3, &one, 0);
+  double p[BINS], least = pack->box.side[0];
+  bool *of = memory(pack->n, sizeof *of);
+  size_t who = 0;
+  for (size_t i = 0; i < pack->n; i++) {
+    double off = 0;
+    for (size_t k = 0; k < 3; k++) /* from the one in the middle */
+      off += gsl_pow_2(pack->x[3 * i + k] - pack->box.side[k] / 2);
+    if (off < least) {
+      least = off;
+      who = i;
+    }
+  }
+  double at[3];
+  for (size_t k = 0; k < 3; k++)
+    at[k] = pack->x[3 * who + k];
+  for (size_t i = 0; i < pack->n * 3; i++) /* so that it is there exactly */
+    pack->x[i] = box_wrap(pack->x[i] - at[i % 3] + pack->box.side[i % 3] / 2,
+                          pack->box.side[i % 3]);
+  for (size_t i = 0; i < pack->n; i++) {
+    double x[3];
+    for (size_t k = 0; k < 3; k++)
+      x[k] = pack->x[3 * i + k] - pack->box.side[k] / 2 - (double)k - 1;
+    of[i] = fabs(x[0]) + fabs(x[1]) + fabs(x[2]) < 1e-9;
+  }
+  double P2 = order_radial(pack, 1e-9, of, BINS, p);
+  gsl_test_abs(P2, 0, 1e-12, "cubic: P2 is 0 at each place");
+  gsl_test_rel(p[2], BINS / 3., 1e-12, "cubic: 1 over the root of 14");
+  gsl_test_rel(p[5], BINS / 3., 1e-12, "cubic: 2 over the root of 14");
+  gsl_test_rel(p[8], BINS / 3., 1e-12, "cubic: 3 over the root of 14");
+  of[who] = true;
+  gsl_test(order_radial(pack, 1e-9, of, BINS, p) != P2,
+           "cubic: the one in the middle has no radius");
+  free(of);
+  pack_free(&pack);
+}
+
+/* Isotropic packs: the mean of P2 is 0 and p is 1, over packs, 4 se. */
+static void isotropy(int dim) {
+  enum { PACKS = 40, BINS = 4 };
+  const double side[3] = {7.1, 7.1, 7.1};
+  double sum[BINS + 1] = {0}, square[BINS + 1] = {0}, worst = 0;
+  size_t n = dim == 3 ? 150 : 34;
+  for (uint64_t s = 0; s < PACKS; s++) {
+    double p[BINS + 1];
+    Rng rng = rng_stream(47, s, RNG_TEST);
+    Pack *pack = rsa(dim, n, dim == 3 ? 0.5 : 0.45, side, &rng);
+    p[BINS] = order_radial(pack, 0.2, NULL, BINS, p);
+    for (int b = 0; b <= BINS; b++) {
+      sum[b] += p[b] / PACKS;
+      square[b] += p[b] * p[b] / PACKS;
+    }
+    pack_free(&pack);
+  }
+  for (int b = 0; b <= BINS; b++) {
+    double se = sqrt((square[b] - sum[b] * sum[b]) / (PACKS - 1));
+    worst = GSL_MAX(worst, fabs(sum[b] - (b < BINS)) / se);
+  }
+  double error = sqrt(square[BINS] / PACKS);
+  gsl_test(!(worst < 4 && error < 0.02),
+           "%d-D: no preferred direction (%.2f se; P2 = %.4f(%.4f))", dim, worst,
+           sum[BINS], error);
+}
+
 int main(void) {
+  for (int dim = 2; dim <= 3; dim++) {
+    strings(dim);
+    isotropy(dim);
+  }
+  radial_lattice();
   backbone();
   test_brute();
   test_loners();

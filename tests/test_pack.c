@@ -97,7 +97,21 @@ static void test_audit(void) {
   pack_free(&sizes);
 }
 
+/* A pack repeats unless told, and a copy is as finite as its pack. */
+static void test_finite(void) {
+  Box box = {2, {9, 9, 0}};
+  Species one = {"A", 0.5, 3};
+  Pack *pack = pack_alloc(&box, &one, 1, false);
+  gsl_test(pack->open != 0, "a new pack repeats");
+  pack->open = 2.25;
+  Pack *copy = pack_copy(pack);
+  gsl_test(copy->open != 2.25, "a copy of a finite pack is finite");
+  pack_free(&copy);
+  pack_free(&pack);
+}
+
 int main(void) {
+  test_finite();
   test_storage();
   test_bytes();
   test_volumes();

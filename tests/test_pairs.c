@@ -475,7 +475,134 @@ static void test_extrema(void) {
   gsl_rng_free(rng);
 }
 
+/* Ordered pairs from some to any, nearest images; the edges as pairs_count's. */
+static uint64_t slow_around(const Pack *pack, const bool of[], double origin,
+                            double step, size_t bins, uint64_t count[]) {
+  uint64_t below = 0;
+  size_t dim = (size_t)pack->box.dim;
+  memset(count, 0, bins * sizeof *count);
+  for (size_t i = 0; i < pack->n; i++)
+    for (size_t j = 0; of[i] && j < pack->n; j++) {
+      double square = 0;
+      for (size_t k = 0; k < dim; k++)
+        square += gsl_pow_2(
+            box_nearest(pack->x[j * dim + k] - pack->x[i * dim + k],
+                        pack->box.side[k]));
+      double place = (sqrt(square) - origin) / step + 1e-9;
+      if (i != j && place < 0)
+        below++;
+      if (i != j && place >= 0 && place < (double)bins)
+        count[(size_t)place]++;
+    }
+  return below;
+}
+
+/* A cloud in the middle of a wide box, and one that fills its box; some at
+   random, those of a core, nobody, all. */
+static void test_around(int dim, bool full) {
+  enum { N = 600, BINS = 25 };
+  const double side[3] = {20, 21, 19};
+  static const char *const which[] = {"some", "a core", "nobody", "all"};
+  Pack *pack = uniform(dim, side, N, 21);
+  uint64_t count[BINS], slow[BINS];
+  bool of[N];
+  for (size_t c = 0; !full && c < N * (size_t)dim; c++)
+    pack->x[c] = side[c % (size_t)dim] / 2 + 0.37 * (pack->x[c] - side[c % (size_t)dim] / 2);
+  for (int set = 0; set < 4; set++) {
+    for (size_t i = 0; i < N; i++) {
+      double square = 0;
+      for (size_t k = 0; k < (size_t)dim; k++)
+        square += gsl_pow_2(pack->x[i * (size_t)dim + k] - side[k] / 2);
+      of[i] = set == 0 ? i * i % 7 == 2 : set == 1 ? square < (full ? 70 : 12) : set == 3;
+    }
+    uint64_t below = pairs_count_around(pack, of, 0.31, 0.113, BINS, count);
+    uint64_t other = slow_around(pack, of, 0.31, 0.113, BINS, slow), sum = 0;
+    for (int b = 0; b < BINS; b++)
+      sum += slow[b];
+    gsl_test(below != other || memcmp(count, slow, sizeof slow) ||
+                 (sum < 12) != (set == 2),
+             "%d-D: ordered pairs around %s, %s (%d)", dim, which[set],
+             full ? "in a full box" : "finite", (int)sum);
+  }
+  /* around all, that is the g of the pack */
+  double g[BINS], h[BINS], worst = 0;
+  uint64_t half[BINS];
+  pairs_count(pack, 0.31, 0.113, BINS, half);
+  for (int how = PAIRS_EXACT; how <= PAIRS_CENTRAL; how++) {
+    double others = how == PAIRS_EXACT ? N - 1 : N;
+    pairs_g(pack, half, 0.31, 0.113, BINS, (PairsShell)how, g);
+    pairs_g_around(dim, count, N, others / box_volume(&pack->box), 0.31, 0.113,
+                   BINS, (PairsShell)how, h);
+    for (int b = 0; b < BINS; b++)
+      worst = GSL_MAX(worst, fabs(g[b] - h[b]) / (g[b] + 1e-300));
+  }
+  gsl_test(!(worst < 1e-13), "%d-D: around all it is g (%g)", dim, worst);
+  pairs_g_around(dim, count, 0, 1, 0.31, 0.113, BINS, PAIRS_EXACT, h);
+  gsl_test(h[BINS - 1] != 0, "%d-D: no centres, no g", dim);
+  pack_free(&pack);
+}
+
+/* Points of a Poisson process in a ball: with centres whose window lies in it g
+   is 1, at any distance; with all for centres it falls off. */
+static void test_minus(int dim) {
+  enum { PACKS = 400, BINS = 8 };
+  const double R = 4, step = 0.25, density = dim == 2 ? 5 : 1.5;
+  const double side[3] = {17, 17, 17};
+  double sum[2][BINS] = {{0}}, square[2][BINS] = {{0}}, worst = 0;
+  double core = pairs_shell(dim, 0, R - BINS * step), ball = pairs_shell(dim, 0, R);
+  gsl_rng *rng = rng_gsl_alloc(rng_stream(31, (uint64_t)dim, RNG_TEST));
+  for (int p = 0; p < PACKS; p++) {
+    size_t n = gsl_ran_poisson(rng, density * ball), d = (size_t)dim;
+    Pack *pack = empty(dim, side, n);
+    bool *of = memory(n, sizeof *of), *all = memory(n, sizeof *all);
+    for (size_t i = 0; i < n; i++) {
+      double x[3] = {0}, r;
+      do
+        for (size_t k = 0; k < d; k++)
+          x[k] = R * (2 * gsl_rng_uniform(rng) - 1);
+      while ((r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])) > R);
+      for (size_t k = 0; k < d; k++)
+        pack->x[i * d + k] = side[k] / 2 + x[k];
+      of[i] = r <= R - BINS * step;
+      all[i] = true;
+    }
+    for (int edge = 0; edge < 2; edge++) {
+      uint64_t count[BINS];
+      double g[BINS];
+      pairs_count_around(pack, edge ? all : of, 0, step, BINS, count);
+      /* the centres that are expected: a mean without bias at any number */
+      pairs_g_around(dim, count, density * (edge ? ball : core), density, 0, step,
+                     BINS, PAIRS_EXACT, g);
+      for (int b = 0; b < BINS; b++) {
+        sum[edge][b] += g[b] / PACKS;
+        square[edge][b] += g[b] * g[b] / PACKS;
+      }
+    }
+    pack_free(&pack);
+    free(all);
+    free(of);
+  }
+  double z[2], last = 0;
+  for (int b = 0; b < BINS; b++)
+    for (int edge = 0; edge < 2; edge++) {
+      double mean = sum[edge][b];
+      last = sqrt((square[edge][b] - mean * mean) / (PACKS - 1));
+      z[edge] = (mean - 1) / last;
+      worst = edge ? worst : GSL_MAX(worst, fabs(z[0]));
+    }
+  gsl_test(!(worst < 3.5), "%d-D: g of Poisson points in a ball (%.2f se)", dim,
+           worst);
+  gsl_test(!(z[1] < -10), "%d-D: without minus sampling it is not (%.1f se)",
+           dim, z[1]);
+  gsl_rng_free(rng);
+}
+
 int main(void) {
+  for (int dim = 2; dim <= 3; dim++) {
+    test_around(dim, false);
+    test_around(dim, true);
+    test_minus(dim);
+  }
   test_extrema();
   test_exact();
   test_corners();

@@ -100,6 +100,7 @@ static Pack *read_text(const char *text, Outcome *out) {
 }
 
 #define HEAD "Lattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1"
+#define FINITE " pbc=\"F F F\""
 
 static void test_reading(void) {
   Outcome out;
@@ -119,6 +120,84 @@ static void test_reading(void) {
   pack_free(&pack);
 }
 
+/* Finite: what we wrote comes back, in whichever dimension. */
+static void finite_trip(int dim, size_t n, bool own) {
+  Box box = {dim, {12, 12, dim == 3 ? 12 : 0}};
+  Species species[] = {{"AP", 1.0 / 3, n}, {"B", 0.1, n}};
+  Pack *pack = pack_alloc(&box, species, 2, own);
+  Rng rng = rng_stream(4, (uint64_t)dim, RNG_TEST);
+  for (size_t c = 0; c < pack->n * (size_t)dim; c++)
+    pack->x[c] = 3 + 6 * (c < 2 ? (double)c : rng_uniform(&rng)); /* a half, exactly */
+  for (size_t i = 0; own && i < pack->n; i++)
+    pack->radius[i] = rng_uniform(&rng);
+  pack->open = M_PI;
+  write_to(path, pack, "seed=17");
+  Outcome out = {0};
+  Pack *back = xyz_read(path, &out);
+  gsl_test(!back, "%d-D, finite: is read back (%s)", dim, out.text);
+  if (!back)
+    return;
+  gsl_test(back->n != pack->n || back->open != M_PI || memcmp(&back->box, &box, sizeof box) != 0,
+           "%d-D, finite: radius and box", dim);
+  gsl_test(n > 0 && (!same_array(pack->x, back->x, pack->n * (size_t)dim * sizeof(double)) ||
+                     !same_array(pack->radius, back->radius, pack->n * sizeof(double)) || !same_species(pack, back)),
+           "%d-D, finite: bit for bit", dim);
+  pack_free(&back);
+  pack_free(&pack);
+}
+
+/* Somebody's sample: the same separations about the same middle, in a box where no image is near; and that again. */
+static void sample(int dim, const char *open, double told) {
+  const double at[3][3] = {{-2.5, 0.25, 2}, {7.75, 3.5, 0.5}, {4, 0.125, 5.875}}, middle[3] = {4, 2, 3};
+  char text[512];
+  Outcome out;
+  snprintf(text, sizeof text,
+           "3\nLattice=\"8 0 0 0 4 0 0 0 6\" Properties=species:S:1:pos:R:3:radius:R:1" FINITE "%s%s\n"
+           "A -2.5 0.25 2 1\nA 7.75 3.5 0.5 1\nB 4 0.125 5.875 2\n", open, dim == 2 ? " dimension=2" : "");
+  Pack *pack = read_text(text, &out);
+  gsl_test(!pack || pack->box.dim != dim, "%d-D, a sample is read: %s", dim, out.text);
+  if (!pack)
+    return;
+  gsl_test(pack->open != told, "%d-D, a sample%s: its radius is %g", dim, open, pack->open);
+  double wrong = 0;
+  for (size_t i = 0; i < 3; i++)
+    for (size_t k = 0; k < (size_t)dim; k++)
+      wrong += fabs(pack->x[i * (size_t)dim + k] - pack->box.side[k] / 2 - (at[i][k] - middle[k]));
+  gsl_test(!(wrong < 1e-14), "%d-D, a sample: about its middle (%g)", dim, wrong);
+  for (int k = 0; k < dim; k++)
+    gsl_test(!(pack->box.side[k] >= 26), "%d-D, a sample: a wide box", dim);
+  write_to(path, pack, "");
+  Pack *back = xyz_read(path, &out);
+  gsl_test(!back || back->open != told || memcmp(&back->box, &pack->box, sizeof(Box)) ||
+               !same_array(pack->x, back->x, 3 * (size_t)dim * sizeof(double)),
+           "%d-D, a sample: once placed it stays", dim);
+  pack_free(&back);
+  pack_free(&pack);
+}
+
+static void test_finite(void) {
+  Outcome out;
+  for (int dim = 2; dim <= 3; dim++) {
+    finite_trip(dim, 40, false);
+    finite_trip(dim, 40, true);
+    finite_trip(dim, 0, false);
+    sample(dim, "", 2);
+    sample(dim, " open=1.75", 1.75);
+  }
+  Pack *pack = read_text("1\n" HEAD " open=5 dimension=2\nA 1 2 3 1\n", &out);
+  gsl_test(!pack || pack->open != 0 || pack->box.dim != 3, "a pack that repeats has no radius");
+  pack_free(&pack);
+  pack = read_text("2\n" HEAD FINITE " open=2\nA 1 2 3 1\nA 4 6 7 1\n", &out);
+  gsl_test(!pack || pack->box.side[0] != 8 || pack->x[5] != 7, "places over half of the box: it is wide");
+  pack_free(&pack);
+  pack = read_text("2\n" HEAD FINITE " open=2\nA 1 2 3 1\nA 4 6.5 7 1\n", &out);
+  gsl_test(!pack || pack->box.side[0] < 16, "over more than half of it: it is not");
+  pack_free(&pack);
+  pack = read_text("2\n" HEAD FINITE " open=2\nA 1 2 4 1\nA 4 6 8 1\n", &out);
+  gsl_test(!pack || pack->box.side[0] < 16, "one on the far face: it is not");
+  pack_free(&pack);
+}
+
 static void test_errors(void) {
   static const struct {
     const char *text, *where, *what;
@@ -130,7 +209,18 @@ static void test_errors(void) {
       {"1\n" HEAD "\nA 1 2 inf 1\n", ":3:", "not finite"},
       {"1\n" HEAD "\nA 1 2 3 0\n", ":3:", "not above 0"},
       {"1\n" HEAD "\nA 1 2 3 1\nA 1 2 3 1\n", ":4:", "more lines"},
-      {"1\n" HEAD " pbc=\"F F F\"\nA 1 2 3 1\n", ":2:", "not periodic"},
+      {"1\n" HEAD " pbc=\"T F F\"\nA 1 2 3 1\n", ":2:", "some directions"},
+      {"1\n" HEAD " pbc=\"F F T\"\nA 1 2 3 1\n", ":2:", "some directions"},
+      {"1\n" HEAD FINITE " open=0\nA 1 2 3 1\n", ":2:", "open is not"},
+      {"1\n" HEAD FINITE " open=-1\nA 1 2 3 1\n", ":2:", "open is not"},
+      {"1\n" HEAD FINITE " open=nan\nA 1 2 3 1\n", ":2:", "open is not"},
+      {"1\n" HEAD FINITE " open=inf\nA 1 2 3 1\n", ":2:", "open is not"},
+      {"1\n" HEAD FINITE " open=wide\nA 1 2 3 1\n", ":2:", "open is not"},
+      {"1\n" HEAD FINITE " open=\nA 1 2 3 1\n", ":2:", "open is not"},
+      {"1\n" HEAD FINITE " open=3,5\nA 1 2 3 1\n", ":2:", "open is not"},
+      {"1\n" HEAD FINITE " dimension=4\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
+      {"1\n" HEAD FINITE " dimension=two\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
+      {"1\n" HEAD FINITE "\nA 1 2 1e308 1\n", ":3:", "too wide"},
   };
   Outcome out;
   for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
@@ -149,6 +239,7 @@ int main(void) {
   close(file);
   test_round_trips();
   test_reading();
+  test_finite();
   test_errors();
   remove(path);
   return gsl_test_summary();
