@@ -1981,9 +1981,9 @@ static void shake_seconds(Bench *bench) {
 /* ------------------------------------------------------------ gravity */
 typedef enum { MADE_LITERAL, MADE_ADAPTIVE, MADE } Making;
 static const char *const making[MADE] = {"literal", "adaptive"};
-static const size_t gravity_sizes[MADE][5] = {
-    {1000, 3000, 10000, 30000, 100000}, {1000, 3000, 10000, 30000, 0}};
 enum { GRAVITY_PACKS = 8, GRAVITY_SIZES = 5 };
+static const size_t gravity_sizes[MADE][GRAVITY_SIZES + 1] = {
+    {1000, 3000, 10000, 30000, 100000}, {1000, 3000, 10000, 30000, 0}};
 
 static Pack *gravity_make(Making how, int dim, size_t n, uint64_t k,
                           GravityReport *report) {
@@ -2053,16 +2053,20 @@ static void gravity_row(Making how, int dim, size_t n, uint64_t k,
   pack_free(&pack);
 }
 
-/* The power of P by which the work of all grows between two sizes, from that
-   of a particle. */
 typedef struct {
   double n, value, error;
 } Point;
 
+/* Of two sizes: n is less than that of the other, by at most a decade. */
+static bool in_decade(double n, double most) {
+  return n < most && n > 0.099 * most;
+}
+
+/* The power of n by which the value grows. */
 static double power(const Point *p, const Point *q, double *error) {
-  double octaves = log(q->n / p->n);
-  *error = gsl_hypot(p->error / p->value, q->error / q->value) / octaves;
-  return log(q->value / p->value) / octaves;
+  double apart = log(q->n / p->n);
+  *error = gsl_hypot(p->error / p->value, q->error / q->value) / apart;
+  return log(q->value / p->value) / apart;
 }
 
 static void say_power(Bench *bench, const Point *p, const Point *q, double own,
@@ -2073,11 +2077,13 @@ static void say_power(Bench *bench, const Point *p, const Point *q, double own,
 
 /* One large pack is taken to scatter as the several next to it in size do. */
 static Point gravity_size(Bench *bench, Table *table, Making how, int dim,
-                          size_t n, double *scatter) {
+                          size_t n, double *scatter, double *worst) {
   double row[GRAVITY_PACKS][G_COLUMNS], mean[G_COLUMNS], error[G_COLUMNS];
   size_t packs = n < 3000 ? 8 : n < 10000 ? 4 : n == 10000 ? 3 : 1;
   for (size_t k = 0; k < packs; k++)
     gravity_row(how, dim, n, k, row[k]);
+  for (size_t k = 0; k < packs; k++)
+    *worst = fmax(*worst, row[k][G_OVERLAP]);
   fprintf(table->file, "%s\t%d\t%zu\t%zu", making[how], dim, n, packs);
   for (size_t c = 0; c < G_COLUMNS; c++) {
     mean[c] = row[0][c];
@@ -2104,19 +2110,22 @@ static void gravity_growths(Bench *bench) {
                       "of\tsweeps\t\tpasses\t\tturns a particle\t\tpushes a "
                       "particle\t\tturns and pushes\t\tdeepest overlap left, "
                       "diameters\t\tlargest c\t\tfraction in half the rim");
+  double worst[MADE] = {0, 0};
   for (int how = 0; how < MADE; how++)
     for (int dim = 2; dim <= 3; dim++) {
-      Point last[2] = {{0, 0, 0}, {0, 0, 0}};
       double scatter = GSL_NAN;
       char name[64];
-      for (size_t s = 0; s < GRAVITY_SIZES && gravity_sizes[how][s]; s++) {
-        last[0] = last[1];
-        last[1] = gravity_size(bench, &table, (Making)how, dim,
-                               gravity_sizes[how][s], &scatter);
-      }
+      Point all[GRAVITY_SIZES], *p = all, *q = all;
+      for (const size_t *n = gravity_sizes[how]; *n; n++, q++)
+        *q = gravity_size(bench, &table, (Making)how, dim, *n, &scatter,
+                          worst + how);
+      q--;
+      while (!in_decade(p->n, q->n))
+        p++;
       snprintf(name, sizeof name, "gravity_%s_%d", making[how], dim);
-      say_power(bench, last, last + 1, 1, name);
+      say_power(bench, p, q, 1, name);
     }
+  say(bench, worst[MADE_ADAPTIVE], 0, "gravity_adaptive_worst");
   end(bench, &table);
 }
 
@@ -2124,7 +2133,7 @@ static void gravity_growths(Bench *bench) {
 static const struct {
   double ratio;
   size_t of; /* a coarse one to so many */
-} turnings[] = {{3, 200}, {10, 2000}};
+} turnings[] = {{3, 500}, {10, 2500}};
 static const size_t turning_sizes[] = {3000, 10000};
 enum { TURNINGS = COUNT(turnings), TURNING_PACKS = 2 };
 
@@ -2321,13 +2330,14 @@ static void turning_case(Bench *bench, const Pack *fine, size_t t) {
 static void gravity_seconds(Bench *bench) {
   for (int how = 0; how < MADE; how++)
     for (int dim = 2; dim <= 3; dim++)
-      for (size_t s = 0; s < GRAVITY_SIZES && gravity_sizes[how][s]; s++)
-        growth_case(bench, (Making)how, dim, gravity_sizes[how][s]);
+      for (const size_t *n = gravity_sizes[how]; *n; n++)
+        if (how == MADE_ADAPTIVE || *n != 30000)
+          growth_case(bench, (Making)how, dim, *n);
   for (size_t s = 0; s < COUNT(turning_sizes); s++) {
     GravityReport report;
     Pack *fine = gravity_make(MADE_ADAPTIVE, 3, turning_sizes[s], 0, &report);
     const Case add = {"ours", adding_ours, fine, GSL_NAN};
-    for (size_t t = 0; t < TURNINGS; t++)
+    for (size_t t = 0; fine->n >= 10000 && t < TURNINGS; t++)
       turning_case(bench, fine, t);
     measure(bench, "add-3", (double)fine->n, (double)fine->n, &add, 1);
     pack_free(&fine);
@@ -2546,22 +2556,22 @@ static void say_partials(Bench *bench, const Row row[], size_t n) {
 }
 
 static void say_growth(Bench *bench, const Row *p, const Row *q) {
-  const Point from = {p->size, p->seconds / p->work, p->spread / p->work},
-              to = {q->size, q->seconds / q->work, q->spread / q->work};
-  bool turn = !strncmp(q->label, "turn", 4);
-  double far = log(1e6 / q->size), apart = log(q->size / p->size), error,
-         slope = power(&from, &to, &error) + (turn ? 0 : 1);
+  const Point from = {p->size, p->seconds, p->spread},
+              to = {q->size, q->seconds, q->spread};
+  double error, slope = power(&from, &to, &error);
+  double far = log(1e6 / q->size), apart = log(q->size / p->size);
   double minutes = q->seconds / 60 * exp(far * slope);
   double both = gsl_hypot(far / apart * p->spread / p->seconds,
                           (1 + far / apart) * q->spread / q->seconds);
   say(bench, slope, error, "gravity_%s_%s_power", q->method, q->label);
-  if (!turn)
-    say(bench, minutes, minutes * both, "gravity_%s_%s_million_minutes",
-        q->method, q->label);
+  say(bench, minutes, minutes * both, "gravity_%s_%s_million_minutes",
+      q->method, q->label);
+  say(bench, minutes / 60, minutes / 60 * both, "gravity_%s_%s_million_hours",
+      q->method, q->label);
 }
 
-/* The power of P by which the seconds of a case grow between its two largest
-   sizes, and the minutes of a million that it foretells. */
+/* The power of P by which the seconds of a case grow over the last decade of its
+   sizes, and the time of a million that it foretells. */
 static void say_gravity(Bench *bench, const Row row[], size_t n) {
   for (const Row *q = row + 1; q < row + n; q++) {
     const Row *p = NULL;
@@ -2571,7 +2581,7 @@ static void say_gravity(Bench *bench, const Row row[], size_t n) {
           strcmp(r->label, q->label))
         continue;
       last = r->size <= q->size;
-      if (r->size < q->size && (!p || r->size > p->size))
+      if (in_decade(r->size, q->size) && (!p || r->size < p->size))
         p = r;
     }
     if (last && p)
