@@ -8,15 +8,19 @@
      bench compare FILE       ours beside the plain programs */
 #include "cells.h"
 #include "chain.h"
+#include "coarse.h"
 #include "contact.h"
 #include "crm.h"
 #include "engine.h"
+#include "field.h"
+#include "gravity.h"
 #include "mixture.h"
 #include "outcome.h"
 #include "pairs.h"
 #include "partials.h"
 #include "py.h"
 #include "ref_crm.h"
+#include "ref_gravity.h"
 #include "ref_mixture.h"
 #include "ref_pairs.h"
 #include "ref_py.h"
@@ -1974,6 +1978,372 @@ static void shake_seconds(Bench *bench) {
   pack_free(&pack);
 }
 
+/* ------------------------------------------------------------ gravity */
+typedef enum { MADE_LITERAL, MADE_ADAPTIVE, MADE } Making;
+static const char *const making[MADE] = {"literal", "adaptive"};
+enum { GRAVITY_PACKS = 8, GRAVITY_SIZES = 5 };
+static const size_t gravity_sizes[MADE][GRAVITY_SIZES + 1] = {
+    {1000, 3000, 10000, 30000, 100000}, {1000, 3000, 10000, 30000, 0}};
+
+static Pack *gravity_make(Making how, int dim, size_t n, uint64_t k,
+                          GravityReport *report) {
+  Species one = {"A", 1, n};
+  GravityPlan plan = {.mode = how == MADE_LITERAL ? GRAVITY_LITERAL
+                                                  : GRAVITY_ADAPTIVE};
+  Outcome out = {0};
+  Rng rng = rng_stream(SEED, n * 1000 + k, RNG_POSITIONS);
+  Pack *pack = gravity_pack(dim, &one, 1, NULL, &plan, &rng, report, &out);
+  assert(out.status == DONE);
+  return pack;
+}
+
+/* The literal growth over all pairs: places from the middle. */
+static double *gravity_all_pairs(int dim, size_t n, uint64_t k) {
+  const double F = 1 + 25 * 0.05, origin[3] = {0, 0, 0};
+  double R = 2 / F * gravity_length(dim, (double)n / pack_ball(dim, 1));
+  double *x = memory(n * (size_t)dim, sizeof *x);
+  Rng rng = rng_stream(SEED, n * 1000 + k, RNG_POSITIONS);
+  for (size_t i = 1; i < n; i++)
+    gravity_point(dim, R, &rng, x + i * (size_t)dim);
+  for (int s = 0; s < 25 + 1 + 6; s++)
+    ref_gravity_sweep(dim, n, x, NULL, s < 25 ? (1 + s * 0.05) / F : 1, origin,
+                      0);
+  return x;
+}
+
+/* Coordinates in which the two differ at all. */
+static size_t gravity_differences(int dim, size_t n) {
+  GravityReport report;
+  Pack *pack = gravity_make(MADE_LITERAL, dim, n, 0, &report);
+  double *x = gravity_all_pairs(dim, n, 0);
+  size_t differ = 0;
+  for (size_t i = 0; i < n * (size_t)dim; i++)
+    differ += x[i] + 2 * report.rim != pack->x[i];
+  free(x);
+  pack_free(&pack);
+  return differ;
+}
+
+enum {
+  G_SWEEPS,
+  G_PASSES,
+  G_TURNS,
+  G_PUSHES,
+  G_WORK,
+  G_OVERLAP,
+  G_CARRY,
+  G_CORE,
+  G_COLUMNS
+};
+static const char *const gravity_column[G_COLUMNS] = {
+    "sweeps", "passes", "turns", "pushes", "work", "overlap", "carry", "core"};
+
+static void gravity_row(Making how, int dim, size_t n, uint64_t k,
+                        double row[G_COLUMNS]) {
+  GravityReport r;
+  Pack *pack = gravity_make(how, dim, n, k, &r);
+  row[G_SWEEPS] = r.sweeps;
+  row[G_PASSES] = r.passes;
+  row[G_TURNS] = (double)r.all.turns / (double)n;
+  row[G_PUSHES] = (double)r.all.pushes / (double)n;
+  row[G_WORK] = row[G_TURNS] + row[G_PUSHES];
+  row[G_OVERLAP] = r.overlap;
+  row[G_CARRY] = r.carry;
+  row[G_CORE] = gravity_fraction(pack, gravity_rim(pack) / 2);
+  pack_free(&pack);
+}
+
+typedef struct {
+  double n, value, error;
+} Point;
+
+/* Of two sizes: n is less than that of the other, by at most a decade. */
+static bool in_decade(double n, double most) {
+  return n < most && n > 0.099 * most;
+}
+
+/* The power of n by which the value grows. */
+static double power(const Point *p, const Point *q, double *error) {
+  double apart = log(q->n / p->n);
+  *error = gsl_hypot(p->error / p->value, q->error / q->value) / apart;
+  return log(q->value / p->value) / apart;
+}
+
+static void say_power(Bench *bench, const Point *p, const Point *q, double own,
+                      const char *name) {
+  double error, slope = power(p, q, &error);
+  say(bench, own + slope, error, "%s_power", name);
+}
+
+/* One large pack is taken to scatter as the several next to it in size do. */
+static Point gravity_size(Bench *bench, Table *table, Making how, int dim,
+                          size_t n, double *scatter, double *worst) {
+  double row[GRAVITY_PACKS][G_COLUMNS], mean[G_COLUMNS], error[G_COLUMNS];
+  size_t packs = n < 3000 ? 8 : n < 10000 ? 4 : n == 10000 ? 3 : 1;
+  for (size_t k = 0; k < packs; k++)
+    gravity_row(how, dim, n, k, row[k]);
+  for (size_t k = 0; k < packs; k++)
+    *worst = fmax(*worst, row[k][G_OVERLAP]);
+  fprintf(table->file, "%s\t%d\t%zu\t%zu", making[how], dim, n, packs);
+  for (size_t c = 0; c < G_COLUMNS; c++) {
+    mean[c] = row[0][c];
+    error[c] = GSL_NAN;
+    if (packs > 1)
+      table_mean(row[0], packs, G_COLUMNS, c, mean + c, error + c);
+    if (error[c] < 1e-12 * mean[c])
+      error[c] = 0; /* it is the same in all */
+    fprintf(table->file, "\t%.4g\t%.2g", mean[c], error[c]);
+    say(bench, mean[c], error[c], "gravity_%s_%d_%zu_%s", making[how], dim, n,
+        gravity_column[c]);
+  }
+  fputs("\n", table->file);
+  if (packs > 1)
+    *scatter = error[G_WORK] * sqrt((double)packs) / mean[G_WORK];
+  return (Point){(double)n, mean[G_WORK],
+                 mean[G_WORK] * *scatter / sqrt((double)packs)};
+}
+
+static void gravity_growths(Bench *bench) {
+  Table table = begin(bench, "gravity.tsv",
+                      "Packs by gravity: operations a particle, and overlap",
+                      "mode\tdimension\tP\tpacks, then means and their errors "
+                      "of\tsweeps\t\tpasses\t\tturns a particle\t\tpushes a "
+                      "particle\t\tturns and pushes\t\tdeepest overlap left, "
+                      "diameters\t\tlargest c\t\tfraction in half the rim");
+  double worst[MADE] = {0, 0};
+  for (int how = 0; how < MADE; how++)
+    for (int dim = 2; dim <= 3; dim++) {
+      double scatter = GSL_NAN;
+      char name[64];
+      Point all[GRAVITY_SIZES], *p = all, *q = all;
+      for (const size_t *n = gravity_sizes[how]; *n; n++, q++)
+        *q = gravity_size(bench, &table, (Making)how, dim, *n, &scatter,
+                          worst + how);
+      q--;
+      while (!in_decade(p->n, q->n))
+        p++;
+      snprintf(name, sizeof name, "gravity_%s_%d", making[how], dim);
+      say_power(bench, p, q, 1, name);
+    }
+  say(bench, worst[MADE_ADAPTIVE], 0, "gravity_adaptive_worst");
+  end(bench, &table);
+}
+
+/* ---- the turns of coarse balls in a fine pack, as src/coarse.nw has them */
+static const struct {
+  double ratio;
+  size_t of; /* a coarse one to so many */
+} turnings[] = {{3, 500}, {10, 2500}};
+static const size_t turning_sizes[] = {3000, 10000};
+enum { TURNINGS = COUNT(turnings), TURNING_PACKS = 2 };
+
+typedef struct {
+  const Pack *fine;
+  double ratio;
+  size_t coarse;
+  FieldSweep sum;
+  uint64_t turns;
+  double *x; /* the places in the end, or NULL */
+} Turning;
+
+static Turning turning_job(const Pack *fine, size_t t, double *x) {
+  return (Turning){.fine = fine,
+                   .ratio = turnings[t].ratio,
+                   .coarse = fine->n / turnings[t].of,
+                   .x = x};
+}
+
+static Field *turning_field(const Pack *fine) {
+  double *x = memory(3 * fine->n, sizeof *x);
+  double *radius = memory(fine->n, sizeof *radius);
+  gravity_places(fine, x);
+  for (size_t i = 0; i < fine->n; i++)
+    radius[i] = 1;
+  Field *field = field_alloc(3, fine->n, x, radius);
+  free(x);
+  free(radius);
+  return field;
+}
+
+/* The first particles after that in the middle lie anywhere. */
+static void turning_run(Turning *job, FieldSweep sweep(Field *, double)) {
+  const double step = 0.15, slack = 2 * 1e-2;
+  Field *field = turning_field(job->fine);
+  sweep(field, slack);
+  job->sum = (FieldSweep){0};
+  job->turns = 0;
+  for (double a = 1; a < job->ratio;) {
+    a = fmin(a + step, job->ratio);
+    field_file(field);
+    for (size_t c = 1; c <= job->coarse; c++, job->turns++) {
+      field_radius(field, c, a);
+      memcpy(field->origin, field_place(field, c), sizeof field->origin);
+      field_add(&job->sum, sweep(field, slack));
+    }
+  }
+  if (job->x)
+    field_places(field, job->x);
+  field_free(&field);
+}
+
+static void turning_follow(void *of) {
+  turning_run(of, field_follow);
+}
+
+static void turning_all(void *of) {
+  turning_run(of, field_sweep);
+}
+
+/* Coordinates in which the two differ at all, and pushes. */
+static size_t turning_differences(const Pack *fine, size_t t) {
+  double *x = memory(6 * fine->n, sizeof *x);
+  Turning follow = turning_job(fine, t, x);
+  Turning all = turning_job(fine, t, x + 3 * fine->n);
+  turning_follow(&follow);
+  turning_all(&all);
+  size_t differ = follow.sum.pushes != all.sum.pushes;
+  for (size_t i = 0; i < 3 * fine->n; i++)
+    differ += follow.x[i] != all.x[i];
+  free(x);
+  return differ;
+}
+
+/* A whole pack of ratio 3 by the main variant. */
+static Pack *gravity_add(const Pack *fine, CoarseReport *report) {
+  Species coarse = {"B", 3, fine->n / 50};
+  const CoarsePlan plan = {.step = 0};
+  Outcome out = {0};
+  Rng rng = rng_stream(SEED, fine->n, RNG_TEST);
+  Pack *pack = coarse_add(fine, &coarse, &plan, &rng, report, &out);
+  assert(out.status == DONE);
+  return pack;
+}
+
+static double adding_work(const Pack *fine) {
+  CoarseReport r;
+  Pack *pack = gravity_add(fine, &r);
+  pack_free(&pack);
+  return (double)(r.grown.turns + r.grown.pushes + r.settled.turns +
+                  r.settled.pushes) /
+         (double)fine->n;
+}
+
+static Point turning_say(Bench *bench, const char *name, size_t n,
+                         const double value[]) {
+  double mean, error;
+  table_mean(value, TURNING_PACKS, 1, 0, &mean, &error);
+  say(bench, mean, error, "gravity_%s_%zu_work", name, n);
+  return (Point){(double)n, mean, error};
+}
+
+/* Turns of a sweep for each ratio; then the work of a whole pack a particle. */
+static void turning_size(Bench *bench, size_t n, Point point[TURNINGS + 1]) {
+  double work[TURNINGS + 1][TURNING_PACKS], differ = 0;
+  for (size_t k = 0; k < TURNING_PACKS; k++) {
+    GravityReport report;
+    Pack *fine = gravity_make(MADE_ADAPTIVE, 3, n, k, &report);
+    for (size_t t = 0; t < TURNINGS; t++) {
+      Turning job = turning_job(fine, t, NULL);
+      turning_follow(&job);
+      work[t][k] = (double)job.sum.turns / (double)job.turns;
+      if (k == 0 && n == turning_sizes[0])
+        differ += (double)turning_differences(fine, t);
+    }
+    work[TURNINGS][k] = adding_work(fine);
+    pack_free(&fine);
+  }
+  point[0] = turning_say(bench, "turn_3", n, work[0]);
+  point[1] = turning_say(bench, "turn_10", n, work[1]);
+  point[2] = turning_say(bench, "add_3", n, work[2]);
+  if (n == turning_sizes[0])
+    say(bench, differ, 0, "gravity_turn_differences");
+}
+
+static void gravity_turns(Bench *bench) {
+  Point small[TURNINGS + 1], large[TURNINGS + 1];
+  turning_size(bench, turning_sizes[0], small);
+  turning_size(bench, turning_sizes[1], large);
+  say_power(bench, small, large, 0, "gravity_turn_3");
+  say_power(bench, small + 1, large + 1, 0, "gravity_turn_10");
+  say_power(bench, small + 2, large + 2, 1, "gravity_add_3");
+}
+
+static void gravity_operations(Bench *bench) {
+  gravity_growths(bench);
+  say(bench,
+      (double)(gravity_differences(2, 1000) + gravity_differences(3, 1000)), 0,
+      "gravity_differences");
+  gravity_turns(bench);
+}
+
+typedef struct {
+  Making how;
+  int dim;
+  size_t n;
+  uint64_t k;
+  bool same; /* the same pack at every call */
+} GravityJob;
+
+static void gravity_ours(void *of) {
+  GravityJob *job = of;
+  GravityReport report;
+  Pack *pack = gravity_make(job->how, job->dim, job->n, job->k, &report);
+  job->k += !job->same;
+  pack_free(&pack);
+}
+
+static void gravity_plain(void *of) {
+  GravityJob *job = of;
+  free(gravity_all_pairs(job->dim, job->n, job->k));
+}
+
+static void adding_ours(void *of) {
+  CoarseReport report;
+  Pack *pack = gravity_add(of, &report);
+  pack_free(&pack);
+}
+
+/* A row's work is a particle. Adaptive packs differ from call to call, so that
+   the spread is that of the packs too. */
+static void growth_case(Bench *bench, Making how, int dim, size_t n) {
+  GravityJob job = {how, dim, n, 0, how == MADE_LITERAL};
+  GravityJob plain = job;
+  const Case cases[] = {{"ours", gravity_ours, &job, GSL_NAN},
+                        {"plain_all", gravity_plain, &plain, GSL_NAN}};
+  char label[32];
+  snprintf(label, sizeof label, "%s-%d", making[how], dim);
+  measure(bench, label, (double)n, (double)n, cases,
+          how == MADE_LITERAL && dim == 3 && n <= 10000 ? 2 : 1);
+}
+
+/* Here it is a turn of a coarse ball. */
+static void turning_case(Bench *bench, const Pack *fine, size_t t) {
+  Turning job = turning_job(fine, t, NULL);
+  const Case cases[] = {{"ours", turning_follow, &job, GSL_NAN},
+                        {"plain_sweep", turning_all, &job, GSL_NAN}};
+  char label[32];
+  turning_follow(&job);
+  snprintf(label, sizeof label, "turn-%g", job.ratio);
+  measure(bench, label, (double)fine->n, (double)job.turns, cases, 2);
+}
+
+static void gravity_seconds(Bench *bench) {
+  for (int how = 0; how < MADE; how++)
+    for (int dim = 2; dim <= 3; dim++)
+      for (const size_t *n = gravity_sizes[how]; *n; n++)
+        if (how == MADE_ADAPTIVE || *n != 30000)
+          growth_case(bench, (Making)how, dim, *n);
+  for (size_t s = 0; s < COUNT(turning_sizes); s++) {
+    GravityReport report;
+    Pack *fine = gravity_make(MADE_ADAPTIVE, 3, turning_sizes[s], 0, &report);
+    const Case add = {"ours", adding_ours, fine, GSL_NAN};
+    for (size_t t = 0; fine->n >= 10000 && t < TURNINGS; t++)
+      turning_case(bench, fine, t);
+    measure(bench, "add-3", (double)fine->n, (double)fine->n, &add, 1);
+    pack_free(&fine);
+  }
+}
+
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
   const char *name;
@@ -2014,7 +2384,11 @@ static const Task tasks[] = {
      {"shake", "chain", "near", "crm", "engine", "motion", "events", "box",
       "rng", "simd", "flags"},
      shake_operations,
-     shake_seconds}};
+     shake_seconds},
+    {"gravity",
+     {"field", "gravity", "coarse", "pack", "box", "rng", "flags"},
+     gravity_operations,
+     gravity_seconds}};
 
 static void operations(Bench *bench) {
   char print[COUNT(tasks)][17];
@@ -2181,6 +2555,40 @@ static void say_partials(Bench *bench, const Row row[], size_t n) {
   say(bench, until, 0, "partials_plain_until");
 }
 
+static void say_growth(Bench *bench, const Row *p, const Row *q) {
+  const Point from = {p->size, p->seconds, p->spread},
+              to = {q->size, q->seconds, q->spread};
+  double error, slope = power(&from, &to, &error);
+  double far = log(1e6 / q->size), apart = log(q->size / p->size);
+  double minutes = q->seconds / 60 * exp(far * slope);
+  double both = gsl_hypot(far / apart * p->spread / p->seconds,
+                          (1 + far / apart) * q->spread / q->seconds);
+  say(bench, slope, error, "gravity_%s_%s_power", q->method, q->label);
+  say(bench, minutes, minutes * both, "gravity_%s_%s_million_minutes",
+      q->method, q->label);
+  say(bench, minutes / 60, minutes / 60 * both, "gravity_%s_%s_million_hours",
+      q->method, q->label);
+}
+
+/* The power of P by which the seconds of a case grow over the last decade of its
+   sizes, and the time of a million that it foretells. */
+static void say_gravity(Bench *bench, const Row row[], size_t n) {
+  for (const Row *q = row + 1; q < row + n; q++) {
+    const Row *p = NULL;
+    bool last = !strcmp(q->task, "gravity");
+    for (const Row *r = row; last && r < row + n; r++) {
+      if (strcmp(r->task, q->task) || strcmp(r->method, q->method) ||
+          strcmp(r->label, q->label))
+        continue;
+      last = r->size <= q->size;
+      if (in_decade(r->size, q->size) && (!p || r->size < p->size))
+        p = r;
+    }
+    if (last && p)
+      say_growth(bench, p, q);
+  }
+}
+
 /* The lines that describe the machine, for the page. */
 static void write_machine(Bench *bench, FILE *record) {
   Table table = {.file = NULL};
@@ -2225,6 +2633,7 @@ static void recorded(Bench *bench, const char *file) {
   }
   say_crossings(bench, row, n);
   say_partials(bench, row, n);
+  say_gravity(bench, row, n);
   if (stale_tasks(row, n))
     outcome_set(&bench->out, UNREACHED,
                 "%s: recorded with other code; make paper FRESH=1 records it "
