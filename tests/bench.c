@@ -9,6 +9,7 @@
 #include "cells.h"
 #include "chain.h"
 #include "coarse.h"
+#include "core.h"
 #include "contact.h"
 #include "crm.h"
 #include "engine.h"
@@ -2049,7 +2050,7 @@ static void gravity_row(Making how, int dim, size_t n, uint64_t k,
   row[G_WORK] = row[G_TURNS] + row[G_PUSHES];
   row[G_OVERLAP] = r.overlap;
   row[G_CARRY] = r.carry;
-  row[G_CORE] = gravity_fraction(pack, gravity_rim(pack) / 2);
+  row[G_CORE] = core_fraction(pack, pack->open / 2);
   pack_free(&pack);
 }
 
