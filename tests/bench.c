@@ -10,6 +10,7 @@
 #include "chain.h"
 #include "coarse.h"
 #include "core.h"
+#include "dilute.h"
 #include "contact.h"
 #include "crm.h"
 #include "engine.h"
@@ -2345,6 +2346,64 @@ static void gravity_seconds(Bench *bench) {
   }
 }
 
+/* ------------------------------------------------------------ side by side */
+enum { SIDE = 10000 };
+static const double side_thin = 0.38, side_dense = 0.59;
+
+static void side_added(void *of) {
+  RsaJob job = {3, SIDE, side_thin};
+  (void)of;
+  rsa_ours(&job);
+}
+
+static void side_grown(void *of) {
+  CrmReport report;
+  Pack *pack = crm_pack(SIDE, *(double *)of, 0.05, 0, &report);
+  pack_free(&pack);
+}
+
+static void side_fallen(void *of) {
+  GravityReport report;
+  (void)of;
+  Pack *pack = gravity_make(MADE_ADAPTIVE, 3, SIDE, 0, &report);
+  pack_free(&pack);
+}
+
+static void side_diluted(void *of) {
+  DilutePlan plan = {.fraction = side_thin, .part = 1};
+  Rng rng = rng_stream(SEED, 0, RNG_GRAVITY);
+  Outcome out = {0};
+  Pack *pack = dilute_pack(of, &plan, &rng, NULL, &out);
+  assert(out.status == DONE);
+  pack_free(&pack);
+}
+
+/* Seconds for one pack of spheres of one size by each maker. A row's work is a
+   particle; dilution and shakes are of a pack that is there. */
+static void side_seconds(Bench *bench) {
+  GravityReport fallen;
+  CrmReport grown;
+  Pack *loose = gravity_make(MADE_ADAPTIVE, 3, SIDE, 0, &fallen);
+  Pack *dense = crm_pack(SIDE, side_dense, 0.05, 0, &grown);
+  double thin = side_thin, close = side_dense;
+  ShakeJob shaken = shake_job(dense, &shakes[0].plan);
+  shaken.sweeps = 60;
+  const struct {
+    const char *label;
+    Case one;
+  } all[] = {{"added", {"ours", side_added, NULL, GSL_NAN}},
+             {"grown-thin", {"ours", side_grown, &thin, GSL_NAN}},
+             {"grown-dense", {"ours", side_grown, &close, GSL_NAN}},
+             {"shaken", {"ours", shake_ours, &shaken, GSL_NAN}},
+             {"fallen", {"ours", side_fallen, NULL, GSL_NAN}},
+             {"diluted", {"ours", side_diluted, loose, GSL_NAN}}};
+  for (size_t i = 0; i < COUNT(all); i++)
+    measure(bench, all[i].label, SIDE, SIDE, &all[i].one, 1);
+  shake_free(&shaken.shake);
+  pack_free(&loose);
+  pack_free(&dense);
+}
+
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
   const char *name;
@@ -2389,7 +2448,12 @@ static const Task tasks[] = {
     {"gravity",
      {"field", "gravity", "coarse", "pack", "box", "rng", "flags"},
      gravity_operations,
-     gravity_seconds}};
+     gravity_seconds},
+    {"side",
+     {"rsa", "crm", "engine", "motion", "near", "events", "shake", "field",
+      "gravity", "dilute", "flags"},
+     NULL,
+     side_seconds}};
 
 static void operations(Bench *bench) {
   char print[COUNT(tasks)][17];
