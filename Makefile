@@ -149,7 +149,7 @@ $(B)/data/radius-read/summary.tsv: paper/radius.awk $(B)/data/radius-error/summa
 	@mkdir -p $(@D)
 	@awk -v dir=$(@D) -f $< $(B)/data/tomography-shaken/{made,shaken}.rdf.tsv $(B)/data/radius-error/rdf@*.tsv > $@
 # Speed against error: the operations here, the seconds from their record.
-BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixture py table \
+BENCHED := outcome simd box rng pack core cells rsa pairs contact partials sizes mixture py table \
   near motion events engine crm shake chain theory flags
 $(B)/data/speed/summary.tsv: tests/bench.c $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'
