@@ -535,9 +535,11 @@ static void test_around(int dim, bool full) {
   pack_free(&pack);
 }
 
-/* Pairs between some and the turned pack, by a double loop: the mean over turns. */
+/* Pairs between some and the turned pack, by a double loop: the mean over turns. own: of each with its own image;
+   these alone unless all. */
 static void slow_expect(const Pack *pack, const bool of[], double origin,
-                        double step, size_t bins, double expect[], double own[]) {
+                        double step, size_t bins, bool all, double expect[],
+                        double own[]) {
   size_t dim = (size_t)pack->box.dim;
   int turns = core_turns(pack->box.dim);
   memset(expect, 0, bins * sizeof *expect);
@@ -545,17 +547,21 @@ static void slow_expect(const Pack *pack, const bool of[], double origin,
   for (int t = 0; t < turns; t++) {
     Pack *turned = core_turned(pack, t);
     for (size_t i = 0; i < pack->n; i++)
-      for (size_t j = 0; of[i] && j < pack->n; j++) {
+      for (size_t j = all ? 0 : i; of[i] && j < (all ? pack->n : i + 1); j++) {
         double square = 0;
         for (size_t k = 0; k < dim; k++)
           square += gsl_pow_2(turned->x[j * dim + k] - pack->x[i * dim + k]);
         double place = (sqrt(square) - origin) / step + 1e-9;
         if (place >= 0 && place < (double)bins) {
-          expect[(size_t)place] += 1. / turns;
-          own[(size_t)place] += i == j ? 1. / turns : 0;
+          expect[(size_t)place]++;
+          own[(size_t)place] += i == j;
         }
       }
     pack_free(&turned);
+  }
+  for (size_t b = 0; b < bins; b++) {
+    expect[b] /= turns;
+    own[b] /= turns;
   }
 }
 
@@ -640,10 +646,10 @@ static void test_expect(int dim) {
     double expect[BINS], slow[BINS], own[BINS];
     pairs_count_around(pack, of, 0, step, BINS, count);
     pairs_expect_around(pack, of, 0, step, BINS, expect);
-    slow_expect(pack, of, 0, step, BINS, slow, own);
+    slow_expect(pack, of, 0, step, BINS, p < 3, slow, own);
     for (int b = 0; b < BINS; b++) {
       double more = (double)count[b] - (expect[b] - own[b]);
-      differ = GSL_MAX(differ, fabs(expect[b] - slow[b]));
+      differ = GSL_MAX(differ, p < 3 ? fabs(expect[b] - slow[b]) : 0);
       sum[b] += more / PACKS;
       square[b] += more * more / PACKS;
       found += expect[b];
