@@ -7,7 +7,7 @@ set size ratio -1
 set lmargin screen 0; set rmargin screen 1; set tmargin screen 1; set bmargin screen 0
 rim = 43; apart = 2 * rim
 set xrange [-rim:2 * apart + rim]; set yrange [-74:44]
-set palette maxcolors 40 defined (0 "#08306b", 0.25 "#2171b5", 0.6 "#8cc0e0", 1 "#e8f1f8")
+set palette maxcolors 40 defined (0 "#08306b", 0.25 "#2171b5", 0.6 "#8cc0e0", 1 "#d3e4f2")
 set cbrange [0:0.4]
 set colorbox horizontal user origin screen 0.36,screen 0.13 size screen 0.28,screen 0.025 noborder front
 set cbtics 0.1 scale 0.4 offset 0,0.5

@@ -8,10 +8,10 @@ set lmargin screen 0.01; set rmargin screen 0.99; set tmargin screen 0.98; set b
 half = 24; reach = 3.1; apart = 2 * half + 2 * reach
 # Circles are drawn only if their centres are in range, so the range is wider than the squares, and a mask covers the rest.
 set xrange [-half - reach:apart + half + reach]; set yrange [-half - 2 * reach:half + reach]
-set style rectangle noclip fs solid noborder fc rgb "white"
-set for [s = 0:1] object 1 + s rectangle from s * apart + half, -99 to s * apart + half + 2 * reach, 99 front
-set object 3 rectangle from -half - 9, -99 to -half, 99 front
-set for [s = 0:1] object 4 + s rectangle from -99, (s == 1 ? half : -half - 9) to apart + 99, (s ? half + 9 : -half) front
+set style rectangle fs solid noborder fc rgb "white"
+set for [s = 0:1] object 1 + s rectangle from s * apart + half, -99 to s * apart + half + 2 * reach, 99 noclip front
+set object 3 rectangle from -half - 9, -99 to -half, 99 noclip front
+set for [s = 0:1] object 4 + s rectangle from -99, (s == 1 ? half : -half - 9) to apart + 99, (s == 1 ? half + 9 : -half) noclip front
 set for [s = 0:1] object 6 + s rectangle from s * apart - half, -half to s * apart + half, half fs empty border lc rgb "#777777" lw 0.6 front
 set label 1 "coarse discs added" at 0, -half - 3.2 center front
 set label 2 "coarse discs marked" at apart, -half - 3.2 center front
