@@ -72,6 +72,43 @@ tell 'marked ones grow each to its own radius' law
 three() { run two three --set 'species=({name="a";radius=1.0;number=2000;},{name="b";radius=2.0;number=60;},{name="c";radius=4.0;number=12;})' &&
   holds three 'v["number.a"] + v["destroyed"] >= 2000 && v["number.c"] == 12 && v["overlap"] < 1e-9'; }
 tell 'three sizes are built from fine to coarse' three
+cat > "$tmp/pairs.scene" <<'END'
+dimension = 3; seed = 3; save = true;
+species = ( { name = "fine"; radius = 2.0; number = 4000; }, { name = "coarse"; radius = 4.0; number = 100; } );
+make = { method = "gravity"; };
+measure = { coordination = { tolerance = 1e-7; }; partials = { scale = "r"; step = 0.1; reach = [5.0]; tolerance = 1e-7;
+  window = 4.0; extrema = ( { pair = "fine-coarse"; peak = [3.5, 5.0]; } ); }; };
+END
+around() { # REACH A B: how many A are centres of so wide a window, in radii, and how many B one has about it
+  awk -v reach="$1" -v a="$2" -v b="$3" 'NR == 2 { match($0, /open=[0-9.e+-]+/); core = 0.6 * substr($0, RSTART + 5, RLENGTH - 5) - 2 * reach
+      match($0, /Lattice="[0-9.e+-]+/); half = substr($0, RSTART + 9, RLENGTH - 9) / 2 }
+    NR > 2 { x[NR] = $2; y[NR] = $3; z[NR] = $4; who[NR] = $1 }
+    END { for (i = 3; i <= NR; i++) if (who[i] == a && sqrt((x[i] - half) ^ 2 + (y[i] - half) ^ 2 + (z[i] - half) ^ 2) <= core) {
+        centres++; for (j = 3; j <= NR; j++) n += i != j && who[j] == b && (x[i] - x[j]) ^ 2 + (y[i] - y[j]) ^ 2 + (z[i] - z[j]) ^ 2 < (2 * reach) ^ 2 }
+      printf "%d %.12g\n", centres, centres ? n / centres : 0 }' "$tmp/pairs/pack-0.xyz"; }
+contacts() { run pairs pairs && fine=$(around 4.0000004 fine none) && coarse=$(around 4.0000004 coarse none) && fine=${fine% *} coarse=${coarse% *} && [ "$fine" -gt 200 ] && [ "$coarse" -gt 4 ] &&
+  holds pairs "near($fine * (v[\"coordination.fine-fine\"] + v[\"coordination.fine-coarse\"]) + $coarse * (v[\"coordination.coarse-fine\"] + v[\"coordination.coarse-coarse\"]), ($fine + $coarse) * v[\"coordination\"], 1e-6)"; }
+tell 'contacts of all pairs of species are all contacts' contacts
+numbers() { holds pairs 'v["number.fine"] + v["number.coarse"] == v["number"] && v["number.coarse"] == 100 && near(v["volume.fine"] + v["volume.coarse"], 1, 1e-9) && v["nearest.coarse-fine"] < 0.01 &&
+  v["least_gap.fine-fine"] > -1e-7 && v["peak1_g.fine-coarse"] > 1 && !("contact.fine-fine" in v) && !("contact_first_bin.fine-coarse" in v)' &&
+  [ "$(cut -f1 "$tmp/pairs/summary.tsv" | sort | uniq -d)" = '' ]; }
+tell 'there is no contact value where particles touch, and each number stands once' numbers
+about() {
+  awk -v n="$(awk -F'\t' '!/^#/ && !/^R/ { n = $8 } END { print n }' "$tmp/pairs/partial.fine-coarse.tsv")" -v want="$(around 5 fine coarse)" \
+    'BEGIN { split(want, w, " "); exit !(w[1] > 100 && w[2] > 0.5 && (n / w[2] - 1) ^ 2 < 1e-18) }' || { echo 'n about fine'; return 1; }
+  for q in 'fine fine fine-fine 2' 'fine coarse fine-coarse 2' 'coarse fine fine-coarse 4' 'coarse coarse coarse-coarse 2'; do
+    read -r a b table column <<< "$q"
+    awk -F'\t' -v c="$column" -v m="$(value "window_mean.$a-$b" "$tmp/pairs")" -v want="$(around 4 "$a" "$b")" '!/^#/ && !/^n/ { s += $c; t += $1 * $c }
+      END { split(want, w, " "); exit !(w[1] > 4 && (s - 1) ^ 2 < 1e-18 && (t - m) ^ 2 < 1e-18 && (m - w[2]) ^ 2 < 1e-18) }' "$tmp/pairs/window.$table.tsv" || { echo "window $a-$b"; return 1; }; done; }
+tell 'numbers about a species, and windows on it, are those of the file' about
+again() {
+  ends 0 "$randpack" measure "$tmp/pairs/pack-0.xyz" --scene "$tmp/pairs.scene" --out "$tmp/read" || return 1
+  for p in fine-fine fine-coarse coarse-coarse; do for t in partial window; do
+    cmp -s <(grep -v '^#' "$tmp/pairs/$t.$p.tsv") <(grep -v '^#' "$tmp/read/$t.$p.tsv") || { echo "$t.$p differs"; return 1; }; done; done
+  diff <(grep -E '^(coord|near|least|window|peak|number|volume|core)' "$tmp/pairs/summary.tsv") <(grep -E '^(coord|near|least|window|peak|number|volume|core)' "$tmp/read/summary.tsv"); }
+tell 'pairs of species of a file are those of the scene' again
+few() { ends 1 "$randpack" run "$tmp/pairs.scene" --out "$tmp/few" --set 'measure={partials={reach=[4.0,4.0,12.0];};}' && grep -q 'give more particles, or a larger part inside' "$tmp/err" && [ ! -e "$tmp/few/summary.tsv" ]; }
+tell 'a species without centres is told' few
 shares() { run two none --set 'species=({name="fine";radius=1.0;number=500;},{name="coarse";radius=3.0;number=0;})' && holds none 'v["number.coarse"] == 0 && v["number"] == 500' &&
   run two all --set 'species=({name="fine";radius=1.0;number=0;},{name="coarse";radius=1.5;number=100;grow="mark";})' && holds all 'v["number.fine"] == 0 && v["number.coarse"] == 100'; }
 tell 'no coarse ones and nothing else are packs too' shares

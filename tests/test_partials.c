@@ -1,9 +1,11 @@
 /* Pairs by species against two loops, identities, contact values, nearest. */
+#include "core.h"
 #include "outcome.h"
 #include "pairs.h"
 #include "partials.h"
 #include "rng.h"
 #include <gsl/gsl_math.h>
+#include <gsl/gsl_randist.h>
 #include <gsl/gsl_test.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -355,7 +357,304 @@ static void test_ratio(void) {
   pack_free(&pack);
 }
 
+enum { WIDE = 17 };
+
+static double from_middle(const Pack *pack, size_t i) {
+  double square = 0;
+  size_t dim = (size_t)pack->box.dim;
+  for (size_t k = 0; k < dim; k++)
+    square += gsl_pow_2(pack->x[i * dim + k] - WIDE / 2.);
+  return sqrt(square);
+}
+
+/* A finite cloud: points of a ball of radius 4, denser in the middle if falls
+   is above 0, and species the more so the later they come in the list. */
+static Pack *cloud(int dim, const Species species[], int kinds, bool own,
+                   double falls, uint64_t seed) {
+  static const double side[3] = {WIDE, WIDE, WIDE};
+  Pack *pack = uniform(dim, side, species, kinds, own, seed);
+  Rng rng = rng_stream(seed, 2, RNG_TEST);
+  for (size_t i = 0; i < pack->n; i++)
+    do
+      for (size_t k = 0; k < (size_t)dim; k++)
+        pack->x[i * (size_t)dim + k] =
+            WIDE / 2. + 4 * (2 * rng_uniform(&rng) - 1);
+    while (from_middle(pack, i) > 4 ||
+           rng_uniform(&rng) <
+               falls * from_middle(pack, i) / 4 / (1 + pack_kind(pack, i)));
+  pack->open = 4;
+  return pack;
+}
+
+/* Ordered pairs from those of k at most core from the middle to those of m in
+   another pack, which may be the same: place 0 for what is below. */
+static size_t slow_end(const Pack *pack, const Pack *other, int k, int m,
+                       double core, const PartialsPair *pair, double weight,
+                       double found[]) {
+  size_t dim = (size_t)pack->box.dim, centres = 0;
+  for (size_t i = 0; i < pack->n; i++) {
+    bool centre = pack_kind(pack, i) == k && from_middle(pack, i) <= core;
+    centres += centre;
+    for (size_t j = 0; centre && j < other->n; j++) {
+      double square = 0;
+      for (size_t x = 0; x < dim; x++)
+        square += gsl_pow_2(other->x[j * dim + x] - pack->x[i * dim + x]);
+      double place = (sqrt(square) - pair->origin) / pair->step + 1e-9;
+      if (pack_kind(other, j) == m && (other != pack || i != j) &&
+          place < (double)pair->bins)
+        found[place < 0 ? 0 : 1 + (int)place] += weight;
+    }
+  }
+  return centres;
+}
+
+/* The same of the pack and of the pack turned. */
+static size_t slow_ends(const Pack *pack, int k, int m, double core,
+                        const PartialsPair *pair, double found[],
+                        double expect[]) {
+  double within = core - (pair->origin + (double)pair->bins * pair->step);
+  int turns = core_turns(pack->box.dim);
+  memset(found, 0, (BINS + 1) * sizeof *found);
+  memset(expect, 0, (BINS + 1) * sizeof *expect);
+  for (int t = 0; t < turns; t++) {
+    Pack *turned = core_turned(pack, t);
+    slow_end(pack, turned, k, m, within, pair, 1. / turns, expect);
+    pack_free(&turned);
+  }
+  return slow_end(pack, pack, k, m, within, pair, 1, found);
+}
+
+static double off(double a, double b) {
+  return fabs(a - b) / (1 + fabs(b));
+}
+
+/* g of both ends, K its sum over volumes, numbers of one end. */
+static void core_curves(const char *what, const Pack *pack, Partials *p, int k,
+                        int m) {
+  PartialsPair *pair = partials_pair(p, k, m);
+  double one[BINS + 1], two[BINS + 1], e_one[BINS + 1], e_two[BINS + 1];
+  double g[BINS], K[BINS], n[BINS], worst[3] = {0}, sum = 0, within = 0, r = 0;
+  size_t centres = slow_ends(pack, k, m, p->core, pair, one, e_one);
+  slow_ends(pack, m, k, p->core, pair, two, e_two);
+  partials_g(p, k, m, g);
+  partials_K(p, k, m, K);
+  partials_number(p, k, m, n);
+  for (size_t b = 0; b <= pair->bins; b++) {
+    double found = one[b] + two[b], expect = e_one[b] + e_two[b];
+    double ratio = expect > 1e-9 ? found / expect : 0;
+    double to = pair->origin + (double)b * pair->step;
+    sum += ratio * pairs_shell(p->dim, r, to);
+    within += centres ? one[b] / (double)centres : 0;
+    r = to;
+    if (b == 0)
+      continue;
+    worst[0] = GSL_MAX(worst[0], off(g[b - 1], ratio));
+    worst[1] = GSL_MAX(worst[1], off(K[b - 1], sum));
+    worst[2] = GSL_MAX(worst[2], off(n[b - 1], within));
+  }
+  gsl_test(pair->end[k > m].centres != centres, "%s: %zu centres of %d for %d",
+           what, centres, k, m);
+  gsl_test(!(worst[0] < 1e-12), "%s: g of a core, %d %d: two loops", what, k,
+           m);
+  gsl_test(!(worst[1] < 1e-12), "%s: K of a core, %d %d", what, k, m);
+  gsl_test(!(worst[2] < 1e-12), "%s: numbers of a core, %d about %d", what, m,
+           k);
+}
+
+/* Contacts and nearest of those who see enough, in a pack without images. */
+static void core_near(const char *what, const Pack *pack, const Partials *p,
+                      int k, int m) {
+  enum { TOLERANCE = 1 };
+  const PartialsPair *pair = partials_pair(p, k, m);
+  PartialsNear near = partials_near(p, k, m, TOLERANCE);
+  double reach = pair->origin + (double)pair->bins * pair->step;
+  double wide = (1 + TOLERANCE) * 2 * pack_largest(pack), nearest = 0;
+  double touch = 0, least = GSL_POSINF;
+  size_t toucher = 0, seer = 0, dim = (size_t)pack->box.dim;
+  for (size_t i = 0; i < pack->n; i++) {
+    double gap = GSL_POSINF, touches = 0;
+    for (size_t j = 0; pack_kind(pack, i) == k && j < pack->n; j++) {
+      double both = pack_radius(pack, i) + pack_radius(pack, j), square = 0;
+      for (size_t x = 0; x < dim; x++)
+        square += gsl_pow_2(pack->x[j * dim + x] - pack->x[i * dim + x]);
+      if (pack_kind(pack, j) != m || i == j)
+        continue;
+      gap = GSL_MIN(gap, sqrt(square) - both);
+      touches += sqrt(square) - both <= TOLERANCE * both;
+    }
+    bool own = pack_kind(pack, i) == k;
+    bool sees = own && from_middle(pack, i) <= p->core - reach;
+    bool contact = own && from_middle(pack, i) <= p->core - wide;
+    least = GSL_MIN(least, gap);
+    touch += contact ? touches : 0;
+    toucher += contact;
+    nearest += sees ? gap : 0;
+    seer += sees;
+  }
+  if (!gsl_finite(least)) {
+    gsl_test(near.nearest < least || near.mean != 0, "%s: none near %d", what,
+             k);
+    return;
+  }
+  gsl_test(!(off(near.least, least) < 1e-12), "%s: least gap of a core", what);
+  gsl_test(near.centres != toucher || (double)near.contacts != touch ||
+               !(off(near.mean * (double)toucher, touch) < 1e-12),
+           "%s: %g contacts of a core, %d with %d", what, touch, k, m);
+  gsl_test(!(off(near.nearest * (double)seer, nearest) < 1e-12) ||
+               (seer == 0 && near.nearest != 0),
+           "%s: nearest of a core, %d to %d", what, k, m);
+}
+
+/* Each pair with a reach of its own; some leave no centre. */
+static void test_core(int dim) {
+  static const size_t counts[][3] = {{250, 30, 80}, {300, 1, 0}, {1, 0, 120}};
+  char what[80];
+  for (int c = 0; c < 6; c++) {
+    Species s[3] = {{"a", 0.1, counts[c / 2][0]},
+                    {"b", 0.2, counts[c / 2][1]},
+                    {"c", 0.4, counts[c / 2][2]}};
+    snprintf(what, sizeof what, "%d-D cloud %d", dim, c);
+    Pack *pack = cloud(dim, s, 3, c % 2, 0.9, 50 + (uint64_t)c);
+    Partials *p = partials_alloc(pack, BINS, 1, PARTIALS_R);
+    p->core = 3.7;
+    for (int k = 0; k < 3; k++)
+      for (int m = 0; m <= k; m++) {
+        PartialsPair *pair = partials_pair(p, k, m);
+        pair->bins = 15 + (size_t)m;
+        pair->step = k + m == 3 ? 0.25 : 0.04 + 0.03 * k;
+      }
+    for (int turn = 0; turn < 2; turn++)
+      partials_count(p); /* anew, not in addition */
+    for (int k = 0; k < 3; k++)
+      for (int m = 0; m < 3; m++) {
+        core_curves(what, pack, p, k, m);
+        core_near(what, pack, p, k, m);
+      }
+    partials_free(&p);
+    pack_free(&pack);
+  }
+}
+
+/* With the same bins for all: all numbers about all centres are those of the
+   pack, and one species alone is the pack, to the last pair. */
+static void test_core_sums(int dim) {
+  Species s[3] = {{"a", 0.1, 350}, {"b", 0.1, 40}, {"c", 0.1, 90}};
+  double expect[BINS], n[BINS], sum[BINS] = {0}, step = 0.045, worst[3] = {0};
+  Pack *pack = cloud(dim, s, 3, false, 0.9, 71), *one = pack_copy(pack);
+  bool *of = memory(pack->n, sizeof *of);
+  uint64_t count[BINS];
+  Partials *p = partials_alloc(pack, BINS, step, PARTIALS_R);
+  p->core = 3.9;
+  partials_count(p);
+  core_within(pack, 3.9 - (0.2 + BINS * step), of);
+  double below =
+      (double)pairs_count_around(pack, of, 0.2, step, BINS, count);
+  pairs_expect_around(pack, of, 0.2, step, BINS, expect);
+  for (int k = 0; k < 3; k++)
+    for (int m = 0; m < 3; m++) {
+      partials_number(p, k, m, n);
+      for (int b = 0; b < BINS; b++)
+        sum[b] += n[b] * (double)partials_pair(p, k, m)->end[k > m].centres;
+    }
+  memset(one->kind, 0, one->n * sizeof *one->kind);
+  Partials *q = partials_alloc(one, BINS, step, PARTIALS_R);
+  q->core = 3.9;
+  partials_count(q);
+  const PartialsEnd *end = &partials_pair(q, 0, 0)->end[0];
+  for (int b = 0; b < BINS; b++) {
+    below += (double)count[b];
+    worst[0] = GSL_MAX(worst[0], off(sum[b], below));
+    worst[1] = GSL_MAX(worst[1], fabs(end->found[b + 1] - (double)count[b]));
+    worst[2] = GSL_MAX(worst[2], fabs(end->expect[b + 1] - expect[b]));
+  }
+  gsl_test(!(worst[0] < 1e-12 && below > 500),
+           "%d-D: numbers about all species add up to the pack", dim);
+  gsl_test(worst[1] != 0, "%d-D: one species is counted as the pack", dim);
+  gsl_test(worst[2] != 0, "%d-D: and expected as the pack (%g)", dim,
+           worst[2]);
+  partials_free(&p);
+  partials_free(&q);
+  pack_free(&one);
+  pack_free(&pack);
+  free(of);
+}
+
+/* Pairs of centres with their own images in the turned pack. */
+static void own_images(const Pack *pack, int k, const PartialsPair *pair,
+                       double core, double own[]) {
+  size_t dim = (size_t)pack->box.dim;
+  int turns = core_turns(pack->box.dim);
+  double reach = pair->origin + (double)pair->bins * pair->step;
+  for (int t = 0; t < turns; t++) {
+    Pack *turned = core_turned(pack, t);
+    for (size_t i = 0; i < pack->n; i++) {
+      double square = 0;
+      for (size_t x = 0; x < dim; x++)
+        square += gsl_pow_2(turned->x[i * dim + x] - pack->x[i * dim + x]);
+      double place = (sqrt(square) - pair->origin) / pair->step;
+      if (pack_kind(pack, i) == k && from_middle(pack, i) <= core - reach &&
+          place >= 0 && place < (double)pair->bins)
+        own[(size_t)place] += 1. / turns;
+    }
+    pack_free(&turned);
+  }
+}
+
+/* Points of two Poisson processes whose densities fall outwards, each in its own
+   way: g is 1 but for the images of the centres themselves. */
+static void test_core_points(int dim) {
+  enum { P = 80, FEW = 6 };
+  double g[3][FEW] = {{0}}, more[3][FEW] = {{0}}, square[3][FEW] = {{0}};
+  double due[3][FEW] = {{0}};
+  gsl_rng *rng = rng_gsl_alloc(rng_stream(47, (uint64_t)dim, RNG_TEST));
+  for (uint64_t r = 0; r < P; r++) {
+    Species s[2] = {{"a", 0.01, gsl_ran_poisson(rng, 250)},
+                    {"b", 0.02, gsl_ran_poisson(rng, 120)}};
+    Pack *pack = cloud(dim, s, 2, false, 0.9, 300 + r);
+    Partials *p = partials_alloc(pack, FEW, 0.25, PARTIALS_R);
+    p->core = 4;
+    partials_count(p);
+    for (int i = 0; i < 3; i++) {
+      int k = i / 2, m = (i + 1) / 2;
+      const PartialsPair *pair = partials_pair(p, k, m);
+      double own[FEW] = {0};
+      if (k == m)
+        own_images(pack, k, pair, 4, own);
+      for (int b = 0; b < FEW; b++) {
+        double found = 0, expect = -own[b];
+        for (int e = 0; e < (k == m ? 1 : 2); e++) {
+          found += pair->end[e].found[b + 1];
+          expect += pair->end[e].expect[b + 1];
+        }
+        more[i][b] += (found - expect) / P;
+        square[i][b] += gsl_pow_2(found - expect) / P;
+        due[i][b] += expect / P;
+      }
+    }
+    partials_free(&p);
+    pack_free(&pack);
+  }
+  for (int i = 0; i < 3; i++) {
+    double worst = 0, least = GSL_POSINF;
+    for (int b = 0; b < FEW; b++) {
+      double se = sqrt((square[i][b] - gsl_pow_2(more[i][b])) / (P - 1));
+      g[i][b] = 1 + more[i][b] / due[i][b];
+      worst = GSL_MAX(worst, fabs(more[i][b]) / se);
+      least = GSL_MIN(least, due[i][b] * P);
+    }
+    gsl_test(!(worst < 3.5 && least > 100),
+             "%d-D: g = 1 of points in a ball, pair %d (%.2f se, g %.3f)", dim,
+             i, worst, g[i][FEW - 1]);
+  }
+  gsl_rng_free(rng);
+}
+
 int main(void) {
+  for (int dim = 2; dim <= 3; dim++) {
+    test_core(dim);
+    test_core_sums(dim);
+    test_core_points(dim);
+  }
   test_exact();
   test_uniform();
   test_scales();
