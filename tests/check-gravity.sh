@@ -81,4 +81,7 @@ undone() { ends 2 "$randpack" run "$tmp/one.scene" --out "$tmp/undone" --set fra
 tell 'and not to a higher one' undone
 of_file() { ends 2 "$randpack" measure "$tmp/one/pack-0.xyz" --scene "$tmp/one.scene" --out "$tmp/undone" --set 'measure={pressure={};}' && grep -q 'measure.pressure is not of finite packs' "$tmp/err"; }
 tell 'a finite file has no pressure' of_file
+alone() { run one single --set 'species=({radius=2.0;number=1;})' --set inside=1.0 --set 'measure={nearest={reach=0.5;step=0.1;};}' && grep -q '^min_gap	inf' "$tmp/single/summary.tsv" &&
+  ! grep -q '^nearest' "$tmp/single/summary.tsv" && holds single 'v["fraction"] == 1 && v["rim"] == 1 && v["centres"] == 1'; }
+tell 'a single one has nobody near, no image of its own either' alone
 exit $failed
