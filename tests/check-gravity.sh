@@ -22,8 +22,8 @@ solid() { awk -F'\t' '$1 == 1 { print $2 }' "$tmp/one/profile.tsv" > "$tmp/phi"
   holds one "near($(cat "$tmp/phi") * v[\"rim\"] ^ 3, 3000, 30)"; }
 tell 'the whole holds all of them' solid
 curves() { awk -F'\t' '/^#/ || /^R/ { next } { g[++n] = $2; k += 4 / 3 * 3.14159265 * $2 * (($1 + 0.025) ^ 3 - ($1 - 0.025) ^ 3) }
-    END { exit !(n == 40 && g[1] > 10 && k > 275 && k < 300) }' "$tmp/one/rdf.tsv" &&
-  awk -F'\t' '/^#/ || /^R/ { next } { k[$1] = $2 } END { exit !(k[1.5] == 0 && k[2.5] > 60 && k[2.5] < 85 && k[4] > 275 && k[4] < 300) }' "$tmp/one/K.tsv"; }
+    END { exit !(n == 40 && g[1] > 10 && k > 255 && k < 282) }' "$tmp/one/rdf.tsv" &&
+  awk -F'\t' '/^#/ || /^R/ { next } { k[$1] = $2 } END { exit !(k[1.5] == 0 && k[2.5] > 60 && k[2.5] < 85 && k[4] > 255 && k[4] < 282) }' "$tmp/one/K.tsv"; }
 tell 'its pairs are counted from the core' curves
 windows() { awk -F'\t' -v m="$(value window_mean "$tmp/one")" '/^#/ || /^n/ { next } { s += $2; t += $1 * $2 } END { exit !((s - 1) ^ 2 < 1e-12 && (t - m) ^ 2 < 1e-10) }' "$tmp/one/histogram.tsv" &&
   K=$(awk -F'\t' '$1 == 2.5 { print $2 }' "$tmp/one/K.tsv") && holds one "near(v[\"window_mean\"], $K * v[\"fraction\"] / (4 / 3 * 3.14159265), 0.6)"; }
