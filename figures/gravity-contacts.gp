@@ -8,10 +8,9 @@ unset key
 set tmargin screen 0.96; set bmargin screen 0.19
 set lmargin screen 0.10; set rmargin screen 0.52
 set xrange [0:1]; set xtics 0.2; set yrange [0:3.4]; set ytics 1
-set xlabel "$|\\cos\\vartheta|$"; set ylabel "contacts by isotropic ones" offset 1.5,0
+set xlabel "$|\\cos\\vartheta|$; 0 across, 1 along the radius"; set ylabel "contacts by isotropic ones" offset 1.5,0
 set arrow 1 from 0,1 to 1,1 nohead lt 8 back
 set label 1 ink(1, "spheres") at 0.03,1.5; set label 2 ink(2, "discs") at 0.66,2.6
-set label 3 "across" at 0.07,0.2; set label 4 "along the radius" at 0.98,0.2 right
 plot data("gravity-discs", "radial@30000.tsv") using 1:2:3 with yerrorlines lt 2 lw 0.8 pt 5 ps 0.5, \
   data("gravity", "radial.tsv") using 1:2:3 with yerrorlines lt 1 lw 0.8 pt 7 ps 0.5
 unset label; unset arrow
