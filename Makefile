@@ -144,6 +144,11 @@ $(B)/data/%/summary.tsv: $(B)/data/%.key
 $(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/summary.tsv
 	@mkdir -p $(@D)
 	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
+# What the recorded runs have taken.
+$(B)/data/atlas/summary.tsv: $(ATLAS:%=data/atlas/%/record)
+	@mkdir -p $(@D)
+	@awk 'BEGIN { print "quantity\tvalue\tstandard_error" } /seconds of the processor: / { n = split(FILENAME, path, "/"); \
+	  printf "seconds@%s\t%.0f\t0\n", path[n - 1], $$NF }' $^ > $@
 # What radii that scatter, or are wrong, make of the first peak: its tables, read again.
 $(B)/data/radius-read/summary.tsv: paper/radius.awk $(B)/data/radius-error/summary.tsv $(B)/data/tomography-shaken/summary.tsv
 	@mkdir -p $(@D)
@@ -190,7 +195,8 @@ $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 
 # ---------------------------------------------------------------- the book
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
-  $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv $(B)/data/radius-read/summary.tsv
+  $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv $(B)/data/radius-read/summary.tsv \
+  $(B)/data/atlas/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -f paper/values.awk $(SUMMARIES) > $@

@@ -3,7 +3,11 @@
 #include "cells.h"
 #include "chain.h"
 #include "contact.h"
+#include "core.h"
 #include "crm.h"
+#include "dilute.h"
+#include "field.h"
+#include "gravity.h"
 #include "order.h"
 #include "outcome.h"
 #include "pairs.h"
@@ -649,10 +653,64 @@ static bool chain_held(void) {
   return good;
 }
 
+/* ------------------------------------------------------------ gravity */
+/* The deepest overlap of discs or spheres of radius 1, of all pairs. */
+static double deepest(int dim, size_t n, const double *x) {
+  double least = INFINITY;
+  for (size_t i = 0; i < n; i++)
+    for (size_t j = 0; j < i; j++) {
+      double r2 = 0;
+      for (size_t c = 0; c < (size_t)dim; c++)
+        r2 += gsl_pow_2(x[i * (size_t)dim + c] - x[j * (size_t)dim + c]);
+      least = fmin(least, r2);
+    }
+  return fmax(2 - sqrt(least), 0);
+}
+
+static bool field_from_a_point(void) {
+  bool good = true;
+  for (int dim = 2; dim <= 3; dim++) {
+    size_t n = 1000;
+    double *x = memory(n * (size_t)dim, sizeof *x);
+    memset(x, 0, n * (size_t)dim * sizeof *x);
+    Field *field = field_alloc(dim, n, x, NULL);
+    FieldSweep sum = {0};
+    int passes = 0;
+    bool rests = field_settle(field, 1e-9, 20000, &sum, &passes);
+    field_places(field, x);
+    double left = deepest(dim, n, x);
+    printf("%s%dD: %d passes, overlap %s 1e-9, rim %.4g", dim > 2 ? "; " : "",
+           dim, passes, left < 1e-9 ? "<" : ">", field_rim(field));
+    good = good && rests && left < 1e-9 && fabs(left - field_overlap(field)) < 1e-14;
+    field_free(&field);
+    free(x);
+  }
+  return good;
+}
+
+static bool dilute_to_itself(void) {
+  Species species = {"A", 1, 1000};
+  GravityPlan plan = {.mode = GRAVITY_ADAPTIVE};
+  Rng rng = rng_stream(8, 0, RNG_TEST);
+  Outcome out = {0};
+  Pack *pack = gravity_pack(3, &species, 1, NULL, &plan, &rng, NULL, &out);
+  DilutePlan to = {.fraction = core_fraction(pack, 0.6 * pack->open), .inside = 0.6, .part = 1};
+  Pack *same = dilute_pack(pack, &to, &rng, NULL, &out);
+  double off = same ? fabs(core_fraction(same, 0.6 * same->open) - to.fraction) : 1;
+  printf("status %d, fraction %.6g, off by %s 1e-12", out.status, to.fraction,
+         off < 1e-12 ? "<" : ">");
+  bool good = out.status == DONE && off < 1e-12 && clear(same, 1.00001e-9);
+  pack_free(&pack);
+  pack_free(&same);
+  return good;
+}
+
 static const struct {
   const char *name;
   bool (*run)(void);
 } cases[] = {
+    {"field-from-a-point", field_from_a_point},
+    {"dilute-to-itself", dilute_to_itself},
     {"shake-dense", shake_dense},
     {"shake-jammed", shake_jammed},
     {"shake-windows", shake_windows},

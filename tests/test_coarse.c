@@ -215,6 +215,10 @@ int main(void) {
   refused("none", fine, 0, 1.5, false, plan, WRONG);
   refused("finer than fine", fine, 2, 0.4, false, plan, WRONG);
   refused("more than there are", fine, 301, 1.5, true, plan, WRONG);
+  double rim = fine->open;
+  fine->open = 0;
+  refused("a pack that repeats", fine, 2, 1.5, true, plan, WRONG);
+  fine->open = rim;
   refused("a slack of 1", fine, 2, 1.5, true, (CoarsePlan){.slack = 1}, WRONG);
   refused("one pass", fine, 9, 1.5, true, (CoarsePlan){.settle.passes = 1},
           UNREACHED);

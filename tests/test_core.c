@@ -168,6 +168,61 @@ static void cubes(int dim) {
   pack_free(&pack);
 }
 
+/* The matrix of a turn: the images of unit vectors about the middle. */
+static void matrix(const Pack *pack, int turn, double Q[3][3]) {
+  size_t d = (size_t)pack->box.dim;
+  Pack *turned = core_turned(pack, turn);
+  memset(Q, 0, 9 * sizeof Q[0][0]);
+  for (size_t m = 0; m < d; m++)
+    for (size_t k = 0; k < d; k++)
+      Q[k][m] = turned->x[m * d + k] - pack->box.side[k] / 2;
+  for (size_t k = d; k < 3; k++) /* as an inversion */
+    Q[k][k] = -1;
+  pack_free(&turned);
+}
+
+static double det(double A[3][3]) {
+  double sum = 0;
+  for (int k = 0; k < 3; k++)
+    sum += A[0][k] * (A[1][(k + 1) % 3] * A[2][(k + 2) % 3] -
+                      A[1][(k + 2) % 3] * A[2][(k + 1) % 3]);
+  return sum;
+}
+
+/* Every turn keeps lengths and angles, is none of the others, and moves all
+   but the middle: Q - 1 has an inverse. In the plane it is a rotation, by .63
+   of the distance at least. */
+static void turns(int dim) {
+  Box box = {dim, {40, 40, dim == 3 ? 40 : 0}};
+  Species species = {"A", 1, (size_t)dim};
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  for (size_t c = 0, d = (size_t)dim; c < d * d; c++)
+    pack->x[c] = 20 + (c / d == c % d);
+  double all[15][3][3], off = 0, same = INFINITY, fixed = INFINITY;
+  for (int t = 0; t < core_turns(dim); t++) {
+    double(*Q)[3] = all[t], less[3][3];
+    matrix(pack, t, Q);
+    for (int k = 0; k < 3; k++)
+      for (int m = 0; m < 3; m++) {
+        double one = Q[k][0] * Q[m][0] + Q[k][1] * Q[m][1] + Q[k][2] * Q[m][2];
+        off = fmax(off, fabs(one - (k == m)));
+        less[k][m] = Q[k][m] - (k == m);
+      }
+    fixed = fmin(fixed, fabs(det(less)));
+    off = fmax(off, dim == 2 ? fabs(det(Q) + 1) : 0);
+    for (int s = 0; s < t; s++) {
+      double apart = 0;
+      for (int c = 0; c < 9; c++)
+        apart += fabs(all[s][c / 3][c % 3] - Q[c / 3][c % 3]);
+      same = fmin(same, apart);
+    }
+  }
+  gsl_test(!(off < 1e-14), "%d-D: turns keep lengths (%g)", dim, off);
+  gsl_test(!(same > 0.3), "%d-D: no two turns are the same", dim);
+  gsl_test(!(fixed > (dim == 2 ? 2 * 0.39 : 1.9)), "%d-D: turns leave but the middle in place (%g)", dim, fixed);
+  pack_free(&pack);
+}
+
 int main(void) {
   for (int dim = 2; dim <= 3; dim++) {
     lenses(dim);
@@ -175,6 +230,7 @@ int main(void) {
     parts(dim, false);
     parts(dim, true);
     cubes(dim);
+    turns(dim);
   }
   angles();
   return gsl_test_summary();

@@ -111,6 +111,15 @@ static void ranges(int dim, const Pack *pack) {
            "nothing becomes denser");
   plan.fraction = 0.3, plan.part = -1;
   gsl_test(diluted(pack, plan, &report, WRONG) != NULL, "moves below 0");
+  Rng rng = rng_stream(1, 0, RNG_TEST);
+  Outcome out = {0};
+  Pack *repeats = pack_copy(pack);
+  repeats->open = 0;
+  plan.part = 1;
+  gsl_test(dilute_pack(repeats, &plan, &rng, &report, &out) ||
+               !strstr(out.text, "repeats"),
+           "a pack that repeats is not diluted: %s", out.text);
+  pack_free(&repeats);
 }
 
 /* Two fractions: the range counts distances among the fine only. */

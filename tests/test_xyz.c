@@ -147,8 +147,8 @@ static void finite_trip(int dim, size_t n, bool own) {
 }
 
 /* Somebody's sample: the same separations about the same middle, in a box where no image is near; and that again. */
-static void sample(int dim, const char *open, double told) {
-  const double at[3][3] = {{-2.5, 0.25, 2}, {7.75, 3.5, 0.5}, {4, 0.125, 5.875}}, middle[3] = {4, 2, 3};
+static void sample(int dim, const char *open, double told, const double origin[]) {
+  const double at[3][3] = {{-2.5, 0.25, 2}, {7.75, 3.5, 0.5}, {4, 0.125, 5.875}}, middle[3] = {4 + origin[0], 2 + origin[1], 3 + origin[2]};
   char text[512];
   Outcome out;
   snprintf(text, sizeof text,
@@ -159,13 +159,15 @@ static void sample(int dim, const char *open, double told) {
   if (!pack)
     return;
   gsl_test(pack->open != told, "%d-D, a sample%s: its radius is %g", dim, open, pack->open);
-  double wrong = 0;
+  double wrong = 0, far = 4;
   for (size_t i = 0; i < 3; i++)
-    for (size_t k = 0; k < (size_t)dim; k++)
+    for (size_t k = 0; k < (size_t)dim; k++) {
+      far = fmax(far, fabs(at[i][k] - middle[k]));
       wrong += fabs(pack->x[i * (size_t)dim + k] - pack->box.side[k] / 2 - (at[i][k] - middle[k]));
+    }
   gsl_test(!(wrong < 1e-14), "%d-D, a sample: about its middle (%g)", dim, wrong);
   for (int k = 0; k < dim; k++)
-    gsl_test(!(pack->box.side[k] >= 26), "%d-D, a sample: a wide box", dim);
+    gsl_test(!(pack->box.side[k] >= 4 * far), "%d-D, a sample: a wide box", dim);
   write_to(path, pack, "");
   Pack *back = xyz_read(path, &out);
   gsl_test(!back || back->open != told || memcmp(&back->box, &pack->box, sizeof(Box)) ||
@@ -181,11 +183,17 @@ static void test_finite(void) {
     finite_trip(dim, 40, false);
     finite_trip(dim, 40, true);
     finite_trip(dim, 0, false);
-    sample(dim, "", 2);
-    sample(dim, " open=1.75", 1.75);
+    const double corner[] = {0, 0, 0}, other[] = {-1.5, 0.5, 2}, small[] = {0.5, 0, 0};
+    sample(dim, "", 2, corner);
+    sample(dim, " open=1.75", 1.75, corner);
+    sample(dim, " Origin=\"-1.5 0.5 2\"", 2, other);
+    sample(dim, " open=1.75 Origin=\"0.5 0 0\"", 1.75, small);
   }
   Pack *pack = read_text("1\n" HEAD " open=5 dimension=2\nA 1 2 3 1\n", &out);
   gsl_test(!pack || pack->open != 0 || pack->box.dim != 3, "a pack that repeats has no radius");
+  pack_free(&pack);
+  pack = read_text("2\n" HEAD FINITE " open=2 Origin=\"1 0 0\"\nA 1 2 3 1\nA 4 6 7 1\n", &out);
+  gsl_test(!pack || pack->x[0] - pack->box.side[0] / 2 != -4, "a wide box that does not begin at 0");
   pack_free(&pack);
   pack = read_text("2\n" HEAD FINITE " open=2\nA 1 2 3 1\nA 4 6 7 1\n", &out);
   gsl_test(!pack || pack->box.side[0] != 8 || pack->x[5] != 7, "places over half of the box: it is wide");
@@ -218,6 +226,8 @@ static void test_errors(void) {
       {"1\n" HEAD FINITE " open=wide\nA 1 2 3 1\n", ":2:", "open is not"},
       {"1\n" HEAD FINITE " open=\nA 1 2 3 1\n", ":2:", "open is not"},
       {"1\n" HEAD FINITE " open=3,5\nA 1 2 3 1\n", ":2:", "open is not"},
+      {"1\n" HEAD FINITE " Origin=\"1 2\"\nA 1 2 3 1\n", ":2:", "not a point"},
+      {"1\n" HEAD FINITE " Origin=\"1 2 inf\"\nA 1 2 3 1\n", ":2:", "not a point"},
       {"1\n" HEAD FINITE " dimension=4\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
       {"1\n" HEAD FINITE " dimension=two\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
       {"1\n" HEAD FINITE "\nA 1 2 1e308 1\n", ":3:", "too wide"},
