@@ -39,7 +39,7 @@ file() { head -2 "$tmp/one/pack-0.xyz" | grep -q 'pbc="F F F".* open=' &&
 tell 'the file of a finite pack says so, and is measured the same' file
 threads() { run one t1 --threads 1 && run one t2 --threads 2 && diff -r "$tmp/t1" "$tmp/t2"; }
 tell 'with one thread and with two the same' threads
-small() { ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/none" --set inside=0.2 && grep -q 'give more particles, or a larger part inside' "$tmp/err" && [ ! -e "$tmp/none/summary.tsv" ]; }
+small() { ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/none" --set measure.rdf.reach=500 --set measure.K.reach=500 && ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/none" --set inside=0.2 && grep -q 'give more particles, or a larger part inside' "$tmp/err" && [ ! -e "$tmp/none/summary.tsv" ]; }
 tell 'a core that is too small is told' small
 cube() { run one cube --set cube=1.0 && head -2 "$tmp/cube/cube-0.xyz" | grep -q 'pbc="F F F"' && awk 'NR == 2 { split($0, p, "[\" ]"); s = p[2] + 0 }
     NR > 2 { n++; for (k = 2; k < 5; k++) if ($k < 0 || $k >= s) bad++ } END { exit !(n > 100 && !bad) }' "$tmp/cube/cube-0.xyz" &&
