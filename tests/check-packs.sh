@@ -31,7 +31,7 @@ bad 'a box of eight numbers' 2 'no box; give Lattice' "2\nLattice=\"8 0 0 0 8 0 
 bad 'a tilted box' 2 'the box is not rectangular; sides' "2\nLattice=\"8 0 0 1 8 0 0 0 8\" $what\n$two"
 bad 'a flat box' 2 'the box is not rectangular; sides' "2\nLattice=\"8 0 0 0 0 0 0 0 8\" $what\n$two"
 bad 'an endless box' 2 'the box is not rectangular; sides' "2\nLattice=\"inf 0 0 0 8 0 0 0 8\" $what\n$two"
-bad 'a pack that is not periodic' 2 'the pack is not periodic; give pbc' "2\n$box $what pbc=\"F T F\"\n$two"
+bad 'a pack that is periodic in one direction' 2 'the pack is periodic in some directions only; give pbc' "2\n$box $what pbc=\"F T F\"\n$two"
 bad 'no columns told' 2 'no Properties; give' "2\n$box $pbc\n$two"
 bad 'no positions' 2 'no positions; Properties' "2\n$box Properties=species:S:1:radius:R:1\nA 1\nA 1\n"
 bad 'no radii' 2 'no radii; Properties' "2\n$box Properties=species:S:1:pos:R:3\nA 1 2 3\nA 5 6 7\n"
