@@ -9,6 +9,7 @@ NR == 1 { next }
   if ($4 > 0) {
     d = 1 - int(log($4) / log(10) - ($4 < 1)); d = d < 0 ? 0 : d
     m = sprintf("%.*f(%.0f)", d, $3, $4 * 10 ^ d)
+    if (d > 7) { m = sprintf("%.3e", $3); sub(/e/, "\\cdot10^{", m); sub(/\{-0*/, "{-", m); m = m "}" }
   } else m = sprintf("%.6g", $3)
   print "\\raggedright " $2 " & \\raggedright " $1 " & $" m "$ & \\raggedright\\arraybackslash " $5 "\\\\[2pt]"
 }
