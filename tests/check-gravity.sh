@@ -46,6 +46,11 @@ cube() { run one cube --set cube=1.0 && head -2 "$tmp/cube/cube-0.xyz" | grep -q
   ends 0 "$randpack" measure "$tmp/cube/cube-0.xyz" --scene "$tmp/one.scene" --out "$tmp/cut" --set inside=0.8 \
     --set 'measure={coordination={};}' && holds cut 'v["fraction"] > 0.55 && v["fraction"] < 0.65 && v["coordination"] > 2.9 && v["coordination"] < 3.6'; }
 tell 'a cube is cut from the core, and is a bounded sample' cube
+rest() { run two rest --set make.mode=literal --set make.passes=6 && holds rest 'v["overlap"] < 1e-9' &&
+  run one rests --set make.mode=literal --set make.passes=6 --set fraction=0.5 --set 'dilute={range="centres";part=0.3;}' --set 'measure={}' && holds rests 'v["overlap"] < 1e-9'; }
+start() { refused 'the pack to start from does not repeat' "$randpack" run "$tmp/start.scene" --out "$tmp/undone"; }
+printf 'dimension = 3; fraction = 0.62; make = { method = "crm"; start = "%s"; };' "$tmp/one/pack-0.xyz" > "$tmp/start.scene"
+tell 'a finite pack is no start for growth' start
 plan() { ends 0 "$randpack" plan "$tmp/one.scene" --set cube=0.5 && grep -q '^box.*none: a finite pack' "$tmp/out" && grep -q '^modules.* field gravity' "$tmp/out" &&
   grep -q ' profile.tsv profile-shells.tsv radial.tsv.* pack-K.xyz cube-K.xyz' "$tmp/out"; }
 tell 'the plan tells of it' plan
@@ -142,4 +147,5 @@ tell 'directions stand at the middles of their bins' angles
 mixed() { run two mixed --set 'species=({name="a";radius=1.0;number=300;},{name="b";radius=2.0;number=50;grow="together";sizes={law="lognormal";spread=0.2;least=1.2;most=4.0;};})' &&
   awk '$1 == "a" { if ($5 != 1) bad++ } $1 == "b" { n++; if ($5 < 1.2 || $5 > 4) bad++; if ($5 != last) kinds++; last = $5 } END { exit !(n == 50 && !bad && kinds > 40) }' "$tmp/mixed/pack-0.xyz"; }
 tell 'some of one radius and some by a law grow together' mixed
+tell 'what comes after the letter is parted all the same' rest
 exit $failed
