@@ -1,8 +1,9 @@
 /* tests/test_scene.c: defaults, settings, shares that become numbers, whole numbers of any length */
 #include "lattice.h"
-#include "scene.h"
+#include "read.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -16,7 +17,7 @@ static Scene *read_text(const char *text, const char *const set[], int sets, Out
   fputs(text, file);
   fclose(file);
   *out = (Outcome){0};
-  return scene_read(path, set, sets, out);
+  return read_scene(path, set, sets, out);
 }
 
 /* The scene of this text, which must be right. */
