@@ -1759,6 +1759,7 @@ static void crm_seconds(Bench *bench) {
     crm_fixed(bench, "0.54", size[s], 0, 0.54);
     crm_fixed(bench, "0.30", size[s], 0, 0.30);
   }
+  crm_fixed(bench, "one-0.60", 100, 0, 0.60);
   crm_fixed(bench, "one-0.60", 2000, 0, 0.60);
   crm_fixed(bench, "two-0.60", 2000, 1832, 0.60);
   for (size_t n = 2000; n <= 16000; n *= 8) {

@@ -45,7 +45,6 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
   ref->n = pack->n;
   ref->pair = calloc(pack->n * pack->n, sizeof *ref->pair);
   ref->growth = motion->growth;
-  ref->oldest = engine->oldest;
   for (size_t i = 0; i < pack->n; i++) {
     const double *p = motion->hot + i * (size_t)(2 * dim + 2);
     for (int k = 0; k < dim; k++) {
@@ -58,6 +57,7 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
   }
   engine_sync(engine, 0, 1);
   ref->wide = engine->near->wide;
+  ref->oldest = engine->oldest;
   ref_sync(ref, 0);
   /* A pack that jams has events at one and the same time, to the last bit;
      which of them comes first is then decided otherwise here than there. */
@@ -92,6 +92,7 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
     double cool = 1 / sqrt(motion_temperature(motion) * 3);
     engine_sync(engine, engine->now, cool);
     ref->wide = engine->near->wide;
+    ref->oldest = engine->oldest;
     ref_sync(ref, ref->now);
     for (size_t i = 0; i < pack->n; i++)
       for (int k = 0; k < dim; k++)
@@ -107,6 +108,25 @@ static void against_reference(int dim, size_t n, size_t n2, double ratio,
            agreed, done, refreshed, motion->size, tie ? ", then a tie" : "");
   free(ref->pair);
   free(ref);
+  engine_free(&engine);
+  pack_free(&pack);
+}
+
+/* Ten particles of radius 1, or one and many small ones, in a box of side L: is
+   it wide, and how far may records reach back, in parts of L? */
+static void how_wide(int dim, double L, size_t n2, double r2, bool wide,
+                     double part) {
+  Pack *pack = random_points(dim, n2 ? 1 : 10, cube, 1, n2, r2, 3);
+  for (int k = 0; k < dim; k++)
+    pack->box.side[k] = L;
+  for (size_t c = 0; c < pack->n * (size_t)dim; c++)
+    pack->x[c] = box_wrap(pack->x[c], L);
+  Engine *engine = engine_alloc(pack, MOTION_EQUAL, 0);
+  engine->motion->size = 0;
+  engine_sync(engine, 0, 1);
+  gsl_test(engine->near->wide != wide || engine->oldest != part * L,
+           "a box of %g radii: %s, records reach back %g of it", L,
+           engine->near->wide ? "wide" : "narrow", engine->oldest / L);
   engine_free(&engine);
   pack_free(&pack);
 }
@@ -446,7 +466,7 @@ static void slow_ones(double factor, bool moves) {
   signal(SIGALRM, shot);
   alarm(20);
   engine_sync(engine, 0, factor);
-  engine_run(engine, 1e308, 3000);
+  engine_run(engine, 1e308, 6000);
   alarm(0);
   engine_store(engine, pack);
   gsl_test((engine->collisions > 2000) != moves || pack_audit(pack) < -2e-12,
@@ -610,6 +630,15 @@ int main(void) {
   slow_ones(1e-200, false);
   visits();
   slips();
+  how_wide(3, 5.4, 0, 0, false, 1. / 8);
+  how_wide(3, 5.6, 0, 0, true, 1. / 32);
+  how_wide(3, 9.8, 0, 0, true, 1. / 32);
+  how_wide(2, 4.3, 9000, .02, false, 1. / 8);
+  how_wide(3, 16, 0, 0, true, 1. / 8);
+  lands(3, 22, cube, 0, 1, .55, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, 40, cube, 0, 1, .3, CRM_LITERAL, .1, MOTION_EQUAL);
+  lands(3, 5, cube, 400, .2, .6, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(2, 12, cube, 0, 1, .6, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
   lands(3, 1000, cube, 0, 1, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
   lands(3, 1000, cube, 0, 1, .575, CRM_LITERAL, 1, MOTION_EQUAL);
   lands(2, 1000, cube, 0, 1, .80, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
