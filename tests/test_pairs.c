@@ -454,6 +454,11 @@ static void test_extrema(void) {
     }
   PairsExtremum side = pairs_extremum(BINS, R, g, 2.5, 3.0, 1);
   gsl_test_abs(side.R, 2.995, 0.006, "on a slope: the end of the interval");
+  for (int b = 0; b < BINS; b++)
+    g[b] = 1 + 3 * gsl_pow_2(R[b] - 3);
+  side = pairs_extremum(BINS, R, g, 2.96, 2.99, 1);
+  gsl_test_abs(side.R, 2.965, 1e-12, "a trough is no peak");
+  gsl_test_abs(side.g, 1 + 3 * gsl_pow_2(0.035), 1e-12, "nor is it as low");
   gsl_test(!gsl_isnan(pairs_extremum(BINS, R, g, 2, 2.01, 1).R),
            "no bin with a parabola");
   gsl_rng *rng = rng_gsl_alloc(rng_stream(3, 5, RNG_TEST));
