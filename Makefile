@@ -194,17 +194,22 @@ $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 	@awk -f figures/map.awk $(WEB) $(B)/plain/*.[ch] | cpif $@
 
 # ---------------------------------------------------------------- the book
+# What comes from runs that are recorded under data/ bears a sign wherever it is printed.
+RECORDED := $(ATLAS) propellant-optimum atlas seconds
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
   $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv $(B)/data/radius-read/summary.tsv \
   $(B)/data/atlas/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -f paper/values.awk $(SUMMARIES) > $@
+# Claims of the sources, and our own controls, judged by one rule.
 $(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
 	@awk -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
-$(B)/paper/findings.tex: $(B)/findings.tsv paper/findings-tex.awk
+$(B)/controls.tsv: data/controls.tsv paper/findings.awk $(SUMMARIES)
+	@awk -f paper/findings.awk data/controls.tsv $(SUMMARIES) > $@
+$(B)/paper/%.tex: $(B)/%.tsv paper/findings-tex.awk
 	@mkdir -p $(@D)
-	@awk -f paper/findings-tex.awk $< > $@
+	@awk -v score=$(@D)/$*-score.tex -v recorded='$(RECORDED)' -f paper/findings-tex.awk $< > $@
 $(B)/paper/hard.tex: $(B)/hard.tsv paper/hard.awk
 	@mkdir -p $(@D)
 	@awk -f paper/hard.awk $< > $@
@@ -212,7 +217,7 @@ $(B)/paper/web.tex: $(WEB)
 	@mkdir -p $(@D)
 	@noweave -n -index $(WEB) > $@
 TEX := paper/book.tex paper/front.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
-  $(B)/paper/values.tex $(B)/paper/findings.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
+  $(B)/paper/values.tex $(B)/paper/findings.tex $(B)/paper/controls.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
 $(B)/paper.pdf: $(TEX) paper/weave
 	@echo '  weave'
 	@paper/weave $(B)/paper
