@@ -40,7 +40,7 @@ SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined
 B        := build
 
-.PHONY: FRESH help deps build paper data atlas check check-slow lint mutants bench install clean
+.PHONY: FRESH help deps build paper draft data atlas check check-slow lint mutants bench install clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
@@ -117,6 +117,8 @@ $(B)/bin/randpack: $(B)/obj/randpack.o $(OBJECTS)
 build: $(B)/bin/randpack ## leave build/bin/randpack
 
 # ---------------------------------------------------------------- computing
+# What a command took, printed when it has ended.
+TIMED = TIMEFORMAT='  $(1) in %R s, %U s of the processor'; time
 # A scene runs again when its text or the fingerprint of the modules that it
 # uses has changed, not when the program has merely been linked again.
 $(B)/data/%.checked: figures/%.scene $(B)/bin/randpack
@@ -130,7 +132,7 @@ ATLAS := $(patsubst figures/%.scene,%,$(shell grep -lx '. atlas' figures/*.scene
 $(ATLAS:%=$(B)/data/%/summary.tsv): $(B)/data/%/summary.tsv: $(B)/data/%.key data/atlas/%/record tests/atlas.sh $(if $(FRESH),FRESH)
 	@echo '  verify $*'
 	@[ -z "$(FRESH)" ] || FRESH=1 tests/atlas.sh $*
-	@tests/atlas.sh --probe $*
+	@$(if $(DRAFT),,$(call TIMED,verified $*) tests/atlas.sh --probe $*)
 	@rm -rf $(@D) && cp -r data/atlas/$* $(@D)
 	@touch $@
 data/atlas/%/record:
@@ -138,7 +140,8 @@ data/atlas/%/record:
 $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@echo '  compute $*'
 	@rm -rf $(@D)
-	@$(B)/bin/randpack run figures/$*.scene --out $(@D)
+	@$(call TIMED,computed $*) $(B)/bin/randpack run figures/$*.scene --out $(@D) \
+	  $(if $(DRAFT),$$(paper/few figures/$*.scene $(DRAFT)))
 	@touch $@
 # The densest of a map: its rows, fitted.
 $(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/summary.tsv
@@ -158,8 +161,9 @@ BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixt
   near motion events engine crm core field gravity coarse dilute shake chain theory flags
 $(B)/data/speed/summary.tsv: tests/bench.c $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'
-	@$(B)/bench ops $(@D)
-# A record of other code is no record: `make paper FRESH=1` makes a new one.
+	@$(call TIMED,computed speed) $(B)/bench ops $(@D)
+# Seconds that were recorded with other code, or by another compiler, are printed with a sign that says so; lint refuses
+# them. `make paper FRESH=1` records new ones.
 $(B)/data/seconds/summary.tsv: data/bench-seconds.tsv tests/bench.c $(BENCHED:%=$(B)/print/%) $(if $(FRESH),FRESH) | $(B)/bench
 	@[ -z "$(FRESH)" ] || tests/bench.sh
 	@$(B)/bench recorded $< $(@D)
@@ -173,7 +177,7 @@ $(B)/hard: tests/hard.c $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $^ $(LIBS) -o $@
 $(B)/hard.tsv: tests/hard tests/hard.c $(PRINTS) $(B)/plain/randpack.c | $(B)/hard $(B)/bin/randpack
 	@echo '  compute hard cases'
-	@tests/hard $@
+	@$(call TIMED,computed hard cases) tests/hard $@
 
 # ---------------------------------------------------------------- figures
 # The scenes that a figure reads stand in its line `# data: ...`.
@@ -201,12 +205,18 @@ SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
   $(B)/data/atlas/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
-	@awk -f paper/values.awk $(SUMMARIES) > $@
+	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(SUMMARIES) > $@
+# Which figures are recorded, and how much in all.
+$(B)/paper/recorded.tex: paper/recorded.awk $(WEB) $(FIGURES:%=figures/%.gp) $(B)/data/seconds/summary.tsv Makefile
+	@mkdir -p $(@D)
+	@awk -v recorded='$(RECORDED)' -v runs=$(words $(ATLAS)) -v draft=$(DRAFT) \
+	  -v other="$$(awk -F'\t' '$$1 == "other_code" { print $$2 + 0 }' $(B)/data/seconds/summary.tsv)" \
+	  -f $< $(FIGURES:%=figures/%.gp) $(WEB) > $@
 # Claims of the sources, and our own controls, judged by one rule.
 $(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
-	@awk -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
+	@awk -v draft=$(DRAFT) -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
 $(B)/controls.tsv: data/controls.tsv paper/findings.awk $(SUMMARIES)
-	@awk -f paper/findings.awk data/controls.tsv $(SUMMARIES) > $@
+	@awk -v draft=$(DRAFT) -f paper/findings.awk data/controls.tsv $(SUMMARIES) > $@
 $(B)/paper/%.tex: $(B)/%.tsv paper/findings-tex.awk
 	@mkdir -p $(@D)
 	@awk -v score=$(@D)/$*-score.tex -v recorded='$(RECORDED)' -f paper/findings-tex.awk $< > $@
@@ -217,13 +227,22 @@ $(B)/paper/web.tex: $(WEB)
 	@mkdir -p $(@D)
 	@noweave -n -index $(WEB) > $@
 TEX := paper/book.tex paper/front.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
-  $(B)/paper/values.tex $(B)/paper/findings.tex $(B)/paper/controls.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
+  $(B)/paper/values.tex $(B)/paper/recorded.tex $(B)/paper/findings.tex $(B)/paper/controls.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
 $(B)/paper.pdf: $(TEX) paper/weave
 	@echo '  weave'
 	@paper/weave $(B)/paper
 	@cp $(B)/paper/book.pdf $@
 paper: $(B)/paper.pdf ## build/paper.pdf: everything computed, drawn and woven
 	@echo 'build/paper.pdf'
+
+# A draft is the same book from a few packs a scene, built in a folder of its own where only the program is that of build/.
+draft: $(B)/bin/randpack $(B)/bench $(B)/hard ## build/draft.pdf: the whole book in minutes, from a few packs a scene
+	@mkdir -p $(B)/draft/$(B)
+	@ln -sfn $(addprefix ../../,Makefile README.md src.nw src paper figures data tests) $(B)/draft
+	@ln -sfn $(addprefix ../../../$(B)/,bin c plain print obj bench hard) $(B)/draft/$(B)
+	@$(MAKE) --no-print-directory -C $(B)/draft DRAFT=2 $(B)/paper.pdf
+	@cp $(B)/draft/$(B)/paper.pdf $(B)/draft.pdf
+	@echo 'build/draft.pdf'
 
 # ---------------------------------------------------------------- tests
 # One program a module, with the sanitizers; then the command itself. All
@@ -240,7 +259,7 @@ $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
 check-slow: $(B)/bin/randpack $(B)/slow ## the long tests, under 45 minutes
 	@tests/run $(sort $(wildcard tests/slow-*.sh))
-lint: $(STAMPS) $(B)/c/prints.inc ## form: the web, the warnings, the layout, the prose
+lint: $(STAMPS) $(B)/c/prints.inc $(B)/bench ## form: the web, the warnings, the layout, the prose
 	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)'
 mutants: $(STAMPS) $(B)/c/prints.inc ## planted errors, each caught by a named test
 	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES)' '$(LIBS)'
