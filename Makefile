@@ -257,7 +257,7 @@ check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 
 	@tests/run $(sort $(wildcard tests/check-*.sh)) $(UNITS:%=$(B)/test/%)
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
-check-slow: $(B)/bin/randpack $(B)/slow ## the long tests, under 45 minutes
+check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench ## the long tests, under 45 minutes
 	@tests/run $(sort $(wildcard tests/slow-*.sh))
 lint: $(STAMPS) $(B)/c/prints.inc $(B)/bench ## form: the web, the warnings, the layout, the prose
 	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)'
