@@ -26,6 +26,7 @@ CHAPTERS := $(shell sed -n 's/^%chapter //p' src.nw)
 WEB      := src.nw $(CHAPTERS:%=src/%.nw)
 MODULES  := $(shell grep -l '^<<\[\[[a-z_]*\.c\]\]>>=' $(CHAPTERS:%=src/%.nw) | \
               sed 's|src/\(.*\)\.nw|\1|')
+ENTRIES  := $(shell sed -n 's/^<<\[\[\([a-z_]*_entry\)\.c\]\]>>=/\1/p' $(CHAPTERS:%=src/%.nw) | sort -u)
 SCENES   := $(patsubst figures/%.scene,%,$(sort $(wildcard figures/*.scene)))
 FIGURES  := $(filter-out style,$(patsubst figures/%.gp,%,$(sort $(wildcard figures/*.gp))))
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
@@ -68,10 +69,10 @@ else
 # A stamp a module: cpif leaves the time of an unchanged file alone.
 $(B)/c/%.stamp: src/%.nw
 	@mkdir -p $(B)/c $(B)/plain
-	@for e in h c; do \
-	  if [ $$e = h ]; then L=; else L=-L; fi; \
-	  notangle $$L -R"[[$*.$$e]]" $< | cpif $(B)/c/$*.$$e; \
-	  notangle -R"[[$*.$$e]]" $< | cpif $(B)/plain/$*.$$e; done
+	@for f in $$(sed -n 's/^<<\[\[\([a-z_]*\.[ch]\)\]\]>>=/\1/p' $< | sort -u); do \
+	  if [[ $$f = *.h ]]; then L=; else L=-L; fi; \
+	  notangle $$L -R"[[$$f]]" $< | cpif $(B)/c/$$f; \
+	  notangle -R"[[$$f]]" $< | cpif $(B)/plain/$$f; done
 	@touch $@
 $(B)/c/randpack.stamp: src.nw
 	@mkdir -p $(B)/c $(B)/plain
@@ -80,31 +81,41 @@ $(B)/c/randpack.stamp: src.nw
 	@touch $@
 STAMPS := $(MODULES:%=$(B)/c/%.stamp) $(B)/c/randpack.stamp
 $(B)/c/%.c $(B)/c/%.h $(B)/plain/%.c $(B)/plain/%.h: $(B)/c/%.stamp ;
+$(B)/c/%_entry.c $(B)/plain/%_entry.c: $(B)/c/%.stamp ;
 
 # ---------------------------------------------------------------- fingerprints
-# Of the code without comments, blank lines and #line, so that prose is free.
+# Of the code without comments, blank lines, #line and words for people, W("..."), so that prose and help are free.
+PRINT = sed -E 's/\bW\(("([^"\\]|\\.)*"[[:space:]]*)+\)//g'
 $(B)/print/%: $(B)/plain/%.c $(B)/plain/%.h
 	@mkdir -p $(@D)
-	@cat $(B)/plain/$*.h $(B)/plain/$*.c | gcc -fpreprocessed -dD -E -P - | \
+	@cat $(B)/plain/$*.h $(B)/plain/$*.c | gcc -fpreprocessed -dD -E -P - | tr '\n' ' ' | $(PRINT) | \
 	  sha256sum | cut -c1-16 | cpif $@
+$(B)/print/%_entry: $(B)/plain/%_entry.c
+	@mkdir -p $(@D)
+	@cat $< | gcc -fpreprocessed -dD -E -P - | tr '\n' ' ' | $(PRINT) | sha256sum | cut -c1-16 | cpif $@
 $(B)/print/flags: Makefile
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$($(CC) -dumpfullversion)" | \
 	  sha256sum | cut -c1-16 | cpif $@
-PRINTS := $(MODULES:%=$(B)/print/%) $(B)/print/flags
+PRINTS := $(MODULES:%=$(B)/print/%) $(ENTRIES:%=$(B)/print/%) $(B)/print/flags
 $(B)/c/prints.stamp: $(PRINTS)
 	@for p in $(PRINTS); do printf '{"%s", "%s"},\n' "$${p##*/}" "$$(<$$p)"; done | \
 	  cpif $(B)/c/prints.inc
 	@touch $@
 $(B)/c/prints.inc: $(B)/c/prints.stamp ;
+$(B)/c/includes.stamp: src/includes.awk $(STAMPS)
+	@awk -f $< $(B)/plain/*.[ch] | cpif $(B)/c/includes.inc
+	@touch $@
+$(B)/c/includes.inc: $(B)/c/includes.stamp ;
+INC := $(B)/c/prints.inc $(B)/c/includes.inc
 
 # ---------------------------------------------------------------- compiling
-OBJECTS := $(MODULES:%=$(B)/obj/%.o)
-$(B)/obj/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+OBJECTS := $(MODULES:%=$(B)/obj/%.o) $(ENTRIES:%=$(B)/obj/%.o)
+$(B)/obj/%.o: $(B)/c/%.c | $(STAMPS) $(INC)
 	@mkdir -p $(@D)
 	@echo '  compile $*'
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+$(B)/san/%.o: $(B)/c/%.c | $(STAMPS) $(INC)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 $(B)/san/ref_%.o: tests/ref_%.c | $(STAMPS)
@@ -247,7 +258,7 @@ draft: $(B)/bin/randpack $(B)/bench $(B)/hard ## build/draft.pdf: the whole book
 # ---------------------------------------------------------------- tests
 # One program a module, with the sanitizers; then the command itself. All
 # objects and references are compiled once; a program takes what it needs.
-$(B)/san/all.a: $(MODULES:%=$(B)/san/%.o) $(REFERENCES:tests/%.c=$(B)/san/%.o)
+$(B)/san/all.a: $(MODULES:%=$(B)/san/%.o) $(ENTRIES:%=$(B)/san/%.o) $(REFERENCES:tests/%.c=$(B)/san/%.o)
 	@rm -f $@
 	@ar rcs $@ $^
 $(B)/test/%: tests/test_%.c $(B)/san/all.a $(wildcard tests/*.h)

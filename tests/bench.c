@@ -2007,7 +2007,7 @@ static double *gravity_all_pairs(int dim, size_t n, uint64_t k) {
   double *x = memory(n * (size_t)dim, sizeof *x);
   Rng rng = rng_stream(SEED, n * 1000 + k, RNG_POSITIONS);
   for (size_t i = 1; i < n; i++)
-    gravity_point(dim, R, &rng, x + i * (size_t)dim);
+    rng_in_ball(&rng, dim, R, x + i * (size_t)dim);
   for (int s = 0; s < 25 + 1 + 6; s++)
     ref_gravity_sweep(dim, n, x, NULL, s < 25 ? (1 + s * 0.05) / F : 1, origin,
                       0);
