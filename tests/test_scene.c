@@ -1,4 +1,5 @@
 /* tests/test_scene.c: defaults, settings, shares that become numbers, whole numbers of any length */
+#include "ask.h"
 #include "lattice.h"
 #include "read.h"
 #include <gsl/gsl_math.h>
@@ -20,6 +21,17 @@ static Scene *read_text(const char *text, const char *const set[], int sets, Out
   return read_scene(path, set, sets, out);
 }
 
+/* The value of a key of a measure, or of the maker (what = "make"). */
+static double value(const Scene *s, const char *what, const char *key) {
+  const Asked *asked = strcmp(what, "make") == 0 ? &s->make : scene_asked(s->measure, what);
+  return asked && asked->entry ? entry_value(asked, key) : GSL_NAN;
+}
+
+static int line_of(const Scene *s, const char *measure) {
+  const Asked *asked = scene_asked(s->measure, measure);
+  return asked ? asked->line : 0;
+}
+
 /* The scene of this text, which must be right. */
 static Scene *scene(const char *text) {
   Outcome out;
@@ -33,12 +45,12 @@ static Scene *scene(const char *text) {
 static void test_defaults(void) {
   Scene *s = scene(plain);
   gsl_test(s->dimension != 3 || s->seed != 1 || s->realizations != 1 || s->gap != 0 || s->save, "the defaults of a scene");
-  gsl_test(s->measure.rdf.step != 0.02 || s->measure.rdf.reach != 6 || s->measure.rdf.estimator != 0, "of g(r)");
-  gsl_test(s->measure.contact.step != 0.01 || s->make.order != 0, "of contact and make");
-  gsl_test_int(s->measure.rdf.line, 5, "a group knows its line");
-  gsl_test(s->measure.K.line || s->measure.order.line || s->theory.line, "what is absent has line 0");
+  gsl_test(value(s, "rdf", "step") != 0.02 || value(s, "rdf", "reach") != 6 || value(s, "rdf", "estimator") != 0, "of g(r)");
+  gsl_test(value(s, "contact", "step") != 0.01 || value(s, "make", "order") != 0, "of contact and make");
+  gsl_test_int(line_of(s, "rdf"), 5, "a group knows its line");
+  gsl_test(line_of(s, "K") || line_of(s, "order") || s->theory.line, "what is absent has line 0");
   gsl_test_str(s->species[0].name, "1", "a species without a name has its number");
-  Box box = scene_box(s);
+  Box box = ask_box(s);
   gsl_test_rel(700 * 4 * M_PI / 3 * 1.5 * 1.5 * 1.5 / box_volume(&box), 0.31, 1e-14, "the box follows from the fraction");
   gsl_test(box.side[0] != box.side[2], "and is a cube");
   scene_free(&s);
@@ -49,17 +61,17 @@ static void test_defaults(void) {
 static void test_boxes(void) {
   Scene *s = scene("dimension = 2; box = [3.0, 0.75]; side = 40.0; fraction = \"max\";\n"
                    "species = ( { radius = 1.0; } ); make = { method = \"rsa\"; };");
-  Box box = scene_box(s);
+  Box box = ask_box(s);
   gsl_test_rel(box.side[0], 40, 1e-14, "the side of a saturated box");
   gsl_test_rel(box.side[1], 10, 1e-14, "and its second");
   gsl_test_rel(s->share[0], 1, 1e-15, "one species has all attempts");
   scene_free(&s);
   s = scene("dimension = 3; fraction = 0.2; species = ( { radius = 0.5; } );\n"
             "make = { method = \"lattice\"; lattice = \"bcc\"; n_l = 2; };");
-  box = scene_box(s);
+  box = ask_box(s);
   gsl_test_int((int)s->species[0].count, 250, "a lattice knows its number");
   gsl_test_rel(250 * M_PI / 6 / box_volume(&box), 0.2, 1e-14, "and is opened to its fraction");
-  gsl_test_int(s->make.lattice, LATTICE_BCC, "its words are those of the lattices");
+  gsl_test_int((int)value(s, "make", "lattice"), LATTICE_BCC, "its words are those of the lattices");
   scene_free(&s);
 }
 
@@ -107,12 +119,12 @@ static void test_settings(void) {
   gsl_test(!s, "settings are read (%s)", out.text);
   if (!s)
     return;
-  gsl_test(s->measure.rdf.step != 0.125, "the last of two settings holds");
+  gsl_test(value(s, "rdf", "step") != 0.125, "the last of two settings holds");
   gsl_test(s->seed != 9007199254740991, "a long seed");
   gsl_test_int((int)s->species[0].count, 1300, "an element of a list");
-  gsl_test_int(s->make.order, 1, "a word without quotes");
-  gsl_test(s->measure.K.line != -1 || s->measure.K.reach != 2.5 || s->measure.K.step != 0.02, "a new group, with defaults");
-  gsl_test(!s->save || s->measure.rdf.reach != 6, "the others stay");
+  gsl_test_int((int)value(s, "make", "order"), 1, "a word without quotes");
+  gsl_test(line_of(s, "K") != -1 || value(s, "K", "reach") != 2.5 || value(s, "K", "step") != 0.02, "a new group, with defaults");
+  gsl_test(!s->save || value(s, "rdf", "reach") != 6, "the others stay");
   scene_free(&s);
 }
 
@@ -151,9 +163,12 @@ static void test_fits(void) {
   Scene *s = scene(plain);
   Box box = {3, {24, 24.5, 23}};
   Outcome out = {0};
+  Reader reader = {s, path, &out};
   Species one = {.radius = 1.5, .count = 1}, two = {.radius = 2, .count = 1};
-  gsl_test_int(scene_fits(s, &box, &one, 1, &out), DONE, "a reach of 6 a fits into a box of 23 with a = 1.5");
-  gsl_test_int(scene_fits(s, &box, &two, 1, &out), WRONG, "but not with a = 2");
+  Query query = {.scene = s, .reader = &reader, .species = &one, .kinds = 1};
+  gsl_test_int(ask_measures(&query, s->facts, &box), DONE, "a reach of 6 a fits into a box of 23 with a = 1.5");
+  query.species = &two;
+  gsl_test_int(ask_measures(&query, s->facts, &box), WRONG, "but not with a = 2");
   gsl_test(!strstr(out.text, "the largest reach here is 5.75"), "which is said: %s", out.text);
   scene_free(&s);
 }
@@ -165,15 +180,15 @@ static void test_growth(void) {
   gsl_test(!s, "growth is read (%s)", out.text);
   if (!s)
     return;
-  const SceneMake *m = &s->make;
-  gsl_test(m->protocol != 1 || m->mass || m->start != START_POINTS, "isothermal, equal masses, from points");
-  gsl_test(m->growth != 0.05 || m->interval != 2 || m->pressure != 0 || m->budget != 2e5 || m->rest, "its numbers");
+  gsl_test(value(s, "make", "protocol") != 1 || value(s, "make", "mass") || s->mass, "isothermal, equal masses");
+  gsl_test(value(s, "make", "growth") != 0.05 || value(s, "make", "interval") != 2 || value(s, "make", "pressure") != 0 ||
+           value(s, "make", "budget") != 2e5 || value(s, "make", "rest"), "its numbers");
   scene_free(&s);
   s = read_text(plain, set, 2, &out);
   gsl_test(!s, "to jamming (%s)", out.text);
   if (!s)
     return;
-  Box box = scene_box(s);
+  Box box = ask_box(s);
   gsl_test_rel(700 * 4 * M_PI / 3 * 1.5 * 1.5 * 1.5 / box_volume(&box), M_PI / sqrt(18), 1e-14, "its least box");
   scene_free(&s);
 }
@@ -190,8 +205,8 @@ static void test_sweep(void) {
   for (const Scene *one = s; one && c < 8; one = one->next, c++) {
     gsl_test_str(one->suffix, names[c], "combination %d", c);
     gsl_test(one->first != s || one->keys != 3 || strcmp(one->swept[1].key, "fraction"), "knows its place");
-    gsl_test(one->make.order != (c < 4) || one->fraction != (c & 2 ? 0.25 : 0.1) || one->save != !(c & 1), "has its values");
-    gsl_test(one->species[0].count != 700 || one->measure.rdf.line != 5, "and the rest of the scene");
+    gsl_test(value(one, "make", "order") != (c < 4) || one->fraction != (c & 2 ? 0.25 : 0.1) || one->save != !(c & 1), "has its values");
+    gsl_test(one->species[0].count != 700 || line_of(one, "rdf") != 5, "and the rest of the scene");
   }
   gsl_test_int(c, 8, "all combinations");
   scene_free(&s);
