@@ -270,10 +270,10 @@ $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
 check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench ## the long tests, under 45 minutes
 	@tests/run $(sort $(wildcard tests/slow-*.sh))
-lint: $(STAMPS) $(B)/c/prints.inc $(B)/bench ## form: the web, the warnings, the layout, the prose
-	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)'
-mutants: $(STAMPS) $(B)/c/prints.inc ## planted errors, each caught by a named test
-	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES)' '$(LIBS)'
+lint: $(STAMPS) $(INC) $(B)/bench ## form: the web, the warnings, the layout, the prose
+	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)' '$(ENTRIES)'
+mutants: $(STAMPS) $(INC) ## planted errors, each caught by a named test
+	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES) $(ENTRIES)' '$(LIBS)'
 $(B)/bench: tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c -Itests $< $(wildcard tests/ref_*.c) $(OBJECTS) $(LIBS) -o $@
 bench: $(B)/bench ## speeds on this machine, recorded under data/
