@@ -41,7 +41,7 @@ SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined
 B        := build
 
-.PHONY: FRESH help deps build paper draft data atlas check check-slow lint mutants bench install clean
+.PHONY: FRESH help deps build try paper draft data atlas check check-slow lint mutants bench install clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
@@ -126,6 +126,8 @@ $(B)/bin/randpack: $(B)/obj/randpack.o $(OBJECTS)
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 build: $(B)/bin/randpack ## leave build/bin/randpack
+try: $(B)/bin/randpack ## a first pack in seconds: its numbers, its g(R), a picture
+	@examples/try.sh $< $(B)/try
 
 # ---------------------------------------------------------------- computing
 # What a command took, printed when it has ended.
@@ -197,7 +199,7 @@ $(B)/figures/%.d: figures/%.gp
 	@{ printf '$(B)/figures/$*.tex:'; sed -n 's/^# data://p' $< | tr ' ' '\n' | \
 	  sed -n '/\//{s|^| |p;b};s|.\+| $(B)/data/&/summary.tsv|p' | tr -d '\n'; echo; } | cpif $@
 	@touch $@
-ifneq ($(filter help deps clean install bench build lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
+ifneq ($(filter help deps clean install bench build try lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
 -include $(FIGURES:%=$(B)/figures/%.d)
 endif
 $(B)/figures/%.tex: figures/%.gp figures/style.gp $(wildcard figures/*.awk)
