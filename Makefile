@@ -147,6 +147,15 @@ $(B)/data/%/summary.tsv: $(B)/data/%.key
 $(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/summary.tsv
 	@mkdir -p $(@D)
 	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
+# What some claims need that no single quantity says.
+$(B)/data/claimed/summary.tsv: paper/claimed.awk $(B)/data/theory-curves/summary.tsv $(B)/data/first-peak/summary.tsv \
+  $(B)/data/bimodal/summary.tsv $(B)/data/gravity-discs/summary.tsv
+	@mkdir -p $(@D)
+	@cd $(B)/data && awk -f $(CURDIR)/$< theory-curves/theory.tsv {theory-curves,first-peak,bimodal,gravity-discs}/summary.tsv \
+	  first-peak/shaken.rdf@retry@{0.575,0.6}.tsv bimodal/shaken.partial.{L-L,L-S,S-S}@retry@{3,60}.tsv > claimed/summary.tsv
+$(B)/data/touch/summary.tsv: paper/touch.awk $(B)/data/pack-grown/summary.tsv $(B)/data/gravity-touch/summary.tsv
+	@mkdir -p $(@D)
+	@awk -f $< $(B)/data/{pack-grown,gravity-touch}/pack-?.xyz > $@
 # What the recorded runs have taken.
 $(B)/data/atlas/summary.tsv: $(ATLAS:%=data/atlas/%/record)
 	@mkdir -p $(@D)
@@ -202,7 +211,7 @@ $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 RECORDED := $(ATLAS) propellant-optimum atlas seconds
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
   $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv $(B)/data/radius-read/summary.tsv \
-  $(B)/data/atlas/summary.tsv
+  $(B)/data/atlas/summary.tsv $(B)/data/claimed/summary.tsv $(B)/data/touch/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(SUMMARIES) > $@
