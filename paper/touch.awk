@@ -49,4 +49,5 @@ BEGIN { print "# written by paper/touch.awk\nquantity\tvalue\tstandard_error" }
 FNR == 1 { use(); n = 0; next }
 FNR == 2 { open = match($0, / open=[0-9.]+/) ? substr($0, RSTART + 6, RLENGTH - 6) + 0 : 0; side = $0; sub(/^Lattice="/, "", side); side += 0; next }
 { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
-END { use(); sum /= packs; printf "lonely\t%.9g\t%.3g\n", sum, sqrt((square / packs - sum * sum) / (packs - 1)) }
+END { use(); sum /= packs; square = square / packs - sum * sum
+  printf "lonely\t%.9g\t%s\n", sum, (packs > 1 ? sprintf("%.3g", sqrt((square > 0 ? square : 0) / (packs - 1))) : "nan") }
