@@ -73,7 +73,9 @@ function bump(   a, ea, b, eb) {
 function forgotten(name, t, a, b,   k, n, d, sum, more) {
   for (k = 1; k <= lines[t "3"]; k++) {
     if ((at(t "3", "R", k) - a) / b + 1 < 2.5) continue
-    d = (at(t "60", "g", k) - at(t "3", "g", k)) ^ 2 / (at(t "60", "g_err", k) ^ 2 + at(t "3", "g_err", k) ^ 2)
+    d = at(t "60", "g_err", k) ^ 2 + at(t "3", "g_err", k) ^ 2
+    if (!(d > 0)) continue # two packs alike say nothing
+    d = (at(t "60", "g", k) - at(t "3", "g", k)) ^ 2 / d
     n++; sum += d; more += d * d
   }
   row(name, sum / n, sqrt((more / n - (sum / n) ^ 2) / n))
