@@ -25,10 +25,10 @@ do for [j = 1:3] {
     if (j == 2 && k == 3) { set label ink(8, "Carnahan--Starling") at graph 0.95,first cs(phi)-1 right }
     if (j == 3 && k == 3) { set label ink(1, "$a_0=10$") at graph 0.95,0.63 right; set label ink(2, "$a_0=1$") at graph 0.95,0.54 right; set label ink(3, "$a_0=.01$") at graph 0.95,0.45 right }
     b = k == 2 ? (1 - real(word("0.43 0.21 0.04", j)))*summary("contact_first_bin_0@retry@1@".phi) : NaN
-    if (k == 2) { set label "B" at 10,b - real(word("1.7 2.4 4.3", j)) center }
+    if (k == 2) { set label "B" at 24.5,b - real(word("1.7 2.4 4.3", j)) center }
     plot for [g = 1:3] table(rule, word("10 1 0.01", g), phi) using ($1 > 0 ? $1 : NaN):2:3 with yerrorlines lt g pt (g == 1 ? 9 : g == 2 ? 5 : 7) ps 0.45, \
       for [g = 1:3] table(rule, word("10 1 0.01", g), phi) using (zero*1.25**(g - 2)):($1 == 0 ? $2 : NaN):3 with yerrorbars lt g pt (g == 1 ? 9 : g == 2 ? 5 : 7) ps 0.45, \
-      "+" using (10):(b) every ::0::0 with points lt 7 pt 12 ps 1.1
+      for [n = 1:2] "+" using (n == 1 ? 10 : 60):(b) every ::0::0 with points lt 7 pt (n == 1 ? 13 : 12) ps 1.1
   }
 }
 unset multiplot

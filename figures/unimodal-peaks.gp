@@ -3,8 +3,8 @@
 set terminal cairolatex pdf size 12.6cm,9.6cm font ",10" fontscale 0.9
 set output out
 ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-made = data("unimodal-peaks", "made.rdf@retry@60.tsv")
-shaken(rule, M) = data("unimodal-peaks", sprintf("shaken.rdf@%s@%d.tsv", rule, M))
+made = data("unimodal-peaks", "made.rdf@retry@60@0.575.tsv")
+shaken(rule, M) = data("unimodal-peaks", sprintf("shaken.rdf@%s@%d@0.575.tsv", rule, M))
 theory = data("theory-curves", "theory.tsv")
 summary(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("unimodal-peaks", "summary.tsv"))))
 # per cent by which g is changed, of five bins taken together; errors of the differences of the same packs
@@ -15,19 +15,21 @@ set multiplot
 set bmargin screen 0.125; set tmargin screen 0.985; set lmargin screen 0.075; set rmargin screen 0.43
 set xrange [2:2.2]; set xtics 0.05; set yrange [0:15.5]; set ytics 2
 set xlabel "$R=r/a$" offset 0,0.7; set ylabel "$g(R)$" offset 1.2
-first = summary("made.contact_first_bin@retry@60")
+first = summary("made.contact_first_bin@retry@60@0.575")
+highest = summary("shaken.highest_R@retry@60@0.575")
 set label 1 ink(1, "$\\circ$ as grown (CRM)") at graph 0.33,0.93
 set label 2 ink(3, "Metropolis, $M=60$") at graph 0.33,0.87
-set label 3 ink(2, "retry, $M=60$; thin: 10") at graph 0.33,0.81
+set label 3 ink(2, "retry, $M=60$; $+$: 10") at graph 0.33,0.81
 set label 4 ink(7, "Percus--Yevick") at graph 0.33,0.75
 set label 5 ink(8, "Willis") at graph 0.33,0.69
 set label 6 "$\\Diamond$ B: $-43$\\%" at graph 0.33,0.63
 plot theory using "R":"willis_0.575" with lines lt 8 lw 1.4, theory using "R":"py_0.575" with lines lt 7 dt 4, \
-  shaken("retry", 10) using 1:2 with lines lt 2 lw 0.7, \
+  shaken("retry", 10) using 1:2 with linespoints lt 2 lw 0.7 pt 1 ps 0.5, \
   made using 1:2:3 with yerrorlines lt 1 pt 6 ps 0.95, \
   shaken("metropolis", 60) using 1:2:3 with yerrorlines lt 3 pt 9 ps 0.45, \
   shaken("retry", 60) using 1:2:3 with yerrorlines lt 2 pt 5 ps 0.35, \
-  "+" using (2.005):(0.57*first) every ::0::0 with points lt 7 pt 12 ps 1.1
+  "+" using (2.005):(0.57*first) every ::0::0 with points lt 7 pt 12 ps 1.1, \
+  "+" using (highest):(0.57*first) every ::0::0 with points lt 7 pt 12 ps 1.1
 unset label
 set lmargin screen 0.535; set rmargin screen 0.985; set bmargin screen 0.40
 set ylabel offset 0.6; set xrange [2.5:4.5]; set xtics 0.5; set format x ""; unset xlabel; set yrange [0:1.9]; set ytics 0.5
