@@ -1365,8 +1365,8 @@ static void rsa_operations(Bench *bench) {
       bench, "saturation.tsv", "RSA: rms error of the mean saturation fraction",
       "dimension\tparticles a pack, about\tparticles in all\ttrials in "
       "all\trms error\tits error");
-  rsa_limit(bench, &table, 2, 800000);
-  rsa_limit(bench, &table, 3, 200000);
+  rsa_limit(bench, &table, 2, 400000);
+  rsa_limit(bench, &table, 3, 100000);
   end(bench, &table);
 }
 
@@ -1479,7 +1479,7 @@ static double crm_run(Engine *engine, double collisions) {
 }
 
 static const double CRM_PHI = 0.49, CRM_FAST = 0.5;
-enum { CRM_N = 1000, CRM_BLOCKS = 128, CRM_EACH = 8, CRM_CHAINS = 24 };
+enum { CRM_N = 1000, CRM_BLOCKS = 128, CRM_EACH = 8, CRM_CHAINS = 16 };
 
 /* The contact value from the collisions of so long a time. */
 static double crm_contact(const Engine *engine, double virial, double time) {
@@ -1603,8 +1603,8 @@ static void crm_rates(Bench *bench) {
   static const struct {
     double gamma;
     size_t packs;
-  } job[] = {{0.5, 48},  {0.2, 48},  {0.1, 48}, {0.03, 48},
-             {0.01, 24}, {0.003, 6}, {0.001, 3}};
+  } job[] = {{0.5, 48},  {0.2, 48},  {0.1, 48},
+             {0.03, 24}, {0.01, 12}, {0.003, 4}};
   Table table = begin(bench, "crm-rate.tsv",
                       "The contact value at .49 after growth, percent off",
                       "method\trate, or collisions of rest\tcollisions a "
@@ -1638,7 +1638,7 @@ static void crm_rates(Bench *bench) {
 
 /* The same work as many small packs or few large ones. */
 static void crm_sizes(Bench *bench) {
-  enum { ALL = 32000, REST = 160, RUN = 64 };
+  enum { ALL = 16000, REST = 160, RUN = 64 };
   static const size_t size[] = {32, 64, 128, 500, 2000};
   Table table = begin(bench, "crm-size.tsv",
                       "The contact value at .49 of as much work in packs of N, "

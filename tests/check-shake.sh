@@ -110,6 +110,23 @@ apart() {
 }
 tell 'who grow otherwise are no family' apart make.growth 0.2 0.4
 tell 'nor are those who are shaken otherwise on the way' apart shake.radius 0.05 0.2 2.0
+# What a combination takes over from the one before it, measured or shaken, is what it has by itself.
+taken_over() { # taken_over KEY VALUES KEY VALUES SETTING...: the second key changes faster
+  local a b
+  sed "s/^save = .*/sweep = ( { key = \"$1\"; values = [${2/ /, }]; }, { key = \"$3\"; values = [${4/ /, }]; } );/; s/marks = [^;]*;//" \
+    "$tmp/one.scene" > "$tmp/over.scene"
+  local set=(--set realizations=1 "${@:5}")
+  run over over "${set[@]}" || return 1
+  for a in $2; do for b in $4; do
+    run over alone --set 'sweep=()' --set "$1=$a" --set "$3=$b" "${set[@]}" || return 1
+    awk -F'\t' -v at="@$a@$b" '/^(#|quantity)/ { next } FNR == NR { alone[$1] = $2; n++; next }
+      sub(at "$", "", $1) && $1 in alone { both++; other += alone[$1] != $2 } END { exit !(n > 40 && both == n && !other) }' \
+      "$tmp/alone/summary.tsv" <(grep "@$a@$b" "$tmp/over/summary.tsv") || { echo "@$a@$b is not what it is alone"; return 1; }
+  done; done
+}
+tell 'a shaken pack is measured in two ways' taken_over shake.radius '0.05 0.2' measure.histogram.radius '2.2 2.5'
+tell 'a pack is measured once for two ways to shake it' taken_over measure.histogram.radius '2.2 2.5' shake.radius '0.05 0.2'
+tell 'samples are measured as they are taken' taken_over shake.radius '0.05 0.2' measure.histogram.radius '2.2 2.5' --set shake.samples=3
 planned() { ends 0 "$randpack" plan "$tmp/one.scene" && grep -q '^shake.metropolis R_sh=0.05, 20 after' "$tmp/out" || return 1
   for file in $(sed -n 's/^write.//p' "$tmp/out" | tr ' ' '\n' | grep tsv); do [ -e "$tmp/one/$file" ] || { echo "no $file"; return 1; }; done; }
 tell 'the plan tells the rule and the tables' planned
