@@ -31,16 +31,18 @@ FIGURES  := $(filter-out style,$(patsubst figures/%.gp,%,$(sort $(wildcard figur
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
+ifeq ($(origin CC),default)
 CC       := gcc
-CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno -fopenmp \
-            -ffile-prefix-map=$(CURDIR)=.
-WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Werror
+endif
+CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno \
+            -fno-trapping-math -fopenmp -ffile-prefix-map=$(CURDIR)=.
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(WERROR)
 LIBS     := -lconfig -lgsl -lgslcblas -lm
 SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined
 B        := build
 
-.PHONY: FRESH help deps build paper data atlas check check-slow lint mutants bench install clean
+.PHONY: FRESH COMPILER help deps build paper data atlas check check-slow lint mutants bench install clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
@@ -83,14 +85,17 @@ $(B)/c/%.c $(B)/c/%.h $(B)/plain/%.c $(B)/plain/%.h: $(B)/c/%.stamp ;
 
 # ---------------------------------------------------------------- fingerprints
 # Of the code without comments, blank lines and #line, so that prose is free.
-$(B)/print/%: $(B)/plain/%.c $(B)/plain/%.h
+$(B)/print/%: tests/bare.pl $(B)/plain/%.h $(B)/plain/%.c
 	@mkdir -p $(@D)
-	@cat $(B)/plain/$*.h $(B)/plain/$*.c | gcc -fpreprocessed -dD -E -P - | \
-	  sha256sum | cut -c1-16 | cpif $@
-$(B)/print/flags: Makefile
+	@cat $(B)/plain/$*.h $(B)/plain/$*.c | perl $< | sha256sum | cut -c1-16 | cpif $@
+# Looked at each time, so that another compiler compiles everything anew; here one that is too old is told so.
+$(B)/print/flags: COMPILER
 	@mkdir -p $(@D)
-	@printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$($(CC) -dumpfullversion)" | \
-	  sha256sum | cut -c1-16 | cpif $@
+	@version=$$(printf '%s\n' '#ifdef __has_builtin' '#if __has_builtin(__builtin_shufflevector)' __VERSION__ \
+	  '#endif' '#endif' | $(CC) -E -P - | tr -d '\n'); [ -n "$$version" ] || { echo \
+	  '$(CC) cannot compile this: gcc 12, clang 14 or a newer one is needed, as in make CC=gcc-12 build'; exit 1; }; \
+	printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$version" | sha256sum | cut -c1-16 | cpif $@
+COMPILER: ;
 PRINTS := $(MODULES:%=$(B)/print/%) $(B)/print/flags
 $(B)/c/prints.stamp: $(PRINTS)
 	@for p in $(PRINTS); do printf '{"%s", "%s"},\n' "$${p##*/}" "$$(<$$p)"; done | \
@@ -100,14 +105,14 @@ $(B)/c/prints.inc: $(B)/c/prints.stamp ;
 
 # ---------------------------------------------------------------- compiling
 OBJECTS := $(MODULES:%=$(B)/obj/%.o)
-$(B)/obj/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+$(B)/obj/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(B)/c/prints.inc
 	@mkdir -p $(@D)
 	@echo '  compile $*'
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+$(B)/san/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(B)/c/prints.inc
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/ref_%.o: tests/ref_%.c | $(STAMPS)
+$(B)/san/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 -include $(wildcard $(B)/obj/*.d $(B)/san/*.d)
