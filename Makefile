@@ -38,8 +38,9 @@ CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-ma
             -fno-trapping-math -fopenmp -ffile-prefix-map=$(CURDIR)=.
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(WERROR)
 LIBS     := -lconfig -lgsl -lgslcblas -lm
+# Without vectors, of which clang would complain.
 SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
-            -fno-sanitize-recover=undefined
+            -fno-sanitize-recover=undefined -Wno-pass-failed
 B        := build
 
 .PHONY: FRESH COMPILER help deps build paper data atlas check check-slow lint mutants bench install clean

@@ -33,8 +33,8 @@ sweep = ( { key = "shake.rule"; values = ("metropolis", "retry", "collision", "c
 END
 cat > "$1/field.scene" <<'END'
 dimension = 3; seed = 7; realizations = 2; save = true; cube = 1.0; fraction = 0.4; dilute = { part = 0.5; };
-species = ( { name = "fine"; radius = 1.0; number = 700; },
-            { name = "coarse"; radius = 2.0; number = 12; grow = "mark"; sizes = { law = "lognormal"; spread = 0.3; least = 1.5; most = 4.0; }; } );
+species = ( { name = "fine"; radius = 1.0; number = 1000; },
+            { name = "coarse"; radius = 2.0; number = 30; grow = "mark"; sizes = { law = "lognormal"; spread = 0.2; least = 1.5; most = 2.5; }; } );
 make = { method = "gravity"; };
 measure = { rdf = { reach = 4.0; }; nearest = {}; coordination = {}; radial = {}; profile = {}; order = {};
             partials = { scale = "r"; reach = [4.0, 4.5, 4.5]; }; };
