@@ -43,7 +43,7 @@ SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined -Wno-pass-failed
 B        := build
 
-.PHONY: FRESH COMPILER help deps build paper data atlas check check-slow lint mutants bench install clean
+.PHONY: FRESH COMPILER help deps build paper data atlas check check-slow programs lint mutants bench install clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
@@ -239,10 +239,19 @@ check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 
 	@tests/run $(sort $(wildcard tests/check-*.sh)) $(UNITS:%=$(B)/test/%)
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
-check-slow: $(B)/bin/randpack $(B)/slow ## the long tests, under 45 minutes
-	@tests/run $(sort $(wildcard tests/slow-*.sh))
+# The same programs of the plain build.
+$(B)/obj/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
+	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
+$(B)/unit/%: tests/test_%.c $(OBJECTS) $(REFERENCES:tests/%.c=$(B)/obj/%.o) $(wildcard tests/*.h)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c -Itests $(filter-out %.h,$^) $(LIBS) -o $@
+check-slow: $(B)/bin/randpack $(B)/slow $(UNITS:%=$(B)/unit/%) ## the long tests, under 45 minutes
+	@CC='$(CC)' tests/run $(sort $(wildcard tests/slow-*.sh))
+# Warnings are errors here and in CI only, in a build of its own.
+programs: $(B)/bin/randpack $(B)/hard $(B)/slow $(B)/bench $(UNITS:%=$(B)/test/%)
 lint: $(STAMPS) $(B)/c/prints.inc ## form: the web, the warnings, the layout, the prose
-	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)'
+	@$(MAKE) --no-print-directory B=$(B)/lint WERROR=-Werror programs
+	@tests/lint '$(WEB)' '$(MODULES)'
 mutants: $(STAMPS) $(B)/c/prints.inc ## planted errors, each caught by a named test
 	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES)' '$(LIBS)'
 $(B)/bench: tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS)
