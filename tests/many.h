@@ -1,8 +1,6 @@
-/* tests/many.h: how much a test does. `make check-slow` asks for more of what takes long (RANDPACK_SLOW). */
+/* tests/many.h: how much a test does. `make check-slow` asks for more where that takes long (RANDPACK_SLOW). */
 #ifndef MANY_H
 #define MANY_H
-#include <stdbool.h>
 #include <stdlib.h>
-static inline bool slow(void) { return getenv("RANDPACK_SLOW") != NULL; }
-static inline int many(int few, int more) { return slow() ? more : few; }
+static inline int as_many(int few, int more) { return getenv("RANDPACK_SLOW") ? more : few; }
 #endif
