@@ -50,7 +50,7 @@ help: ## this list
 
 # ---------------------------------------------------------------- packages
 INSTALL = apt-get install -y --no-install-recommends $(PACKAGES)
-deps: ## install the packages (Debian 12, as root or with sudo)
+deps: ## install the packages (Debian 12 or 13, as root or with sudo)
 	@state=$$(dpkg-query -W -f='$${Status}\n' $(PACKAGES) 2>&1 || true); \
 	if grep -qv '^install ok installed$$' <<<"$$state"; then \
 	  if ! command -v apt-get >/dev/null || [ ! -e /etc/debian_version ]; then \
