@@ -31,23 +31,26 @@ FIGURES  := $(filter-out style,$(patsubst figures/%.gp,%,$(sort $(wildcard figur
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
+ifeq ($(origin CC),default)
 CC       := gcc
-CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno -fopenmp \
-            -ffile-prefix-map=$(CURDIR)=.
-WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Werror
+endif
+CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno \
+            -fno-trapping-math -fopenmp -ffile-prefix-map=$(CURDIR)=.
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(WERROR)
 LIBS     := -lconfig -lgsl -lgslcblas -lm
+# Without vectors, of which clang would complain.
 SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
-            -fno-sanitize-recover=undefined
+            -fno-sanitize-recover=undefined -Wno-pass-failed
 B        := build
 
-.PHONY: FRESH help deps build paper draft data atlas check check-slow lint mutants bench install clean
+.PHONY: FRESH COMPILER help deps build paper draft data atlas check check-slow programs lint mutants bench install clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
 
 # ---------------------------------------------------------------- packages
 INSTALL = apt-get install -y --no-install-recommends $(PACKAGES)
-deps: ## install the packages (Debian 12, as root or with sudo)
+deps: ## install the packages (Debian 12 or 13, as root or with sudo)
 	@state=$$(dpkg-query -W -f='$${Status}\n' $(PACKAGES) 2>&1 || true); \
 	if grep -qv '^install ok installed$$' <<<"$$state"; then \
 	  if ! command -v apt-get >/dev/null || [ ! -e /etc/debian_version ]; then \
@@ -83,14 +86,17 @@ $(B)/c/%.c $(B)/c/%.h $(B)/plain/%.c $(B)/plain/%.h: $(B)/c/%.stamp ;
 
 # ---------------------------------------------------------------- fingerprints
 # Of the code without comments, blank lines and #line, so that prose is free.
-$(B)/print/%: $(B)/plain/%.c $(B)/plain/%.h
+$(B)/print/%: tests/bare.pl $(B)/plain/%.h $(B)/plain/%.c
 	@mkdir -p $(@D)
-	@cat $(B)/plain/$*.h $(B)/plain/$*.c | gcc -fpreprocessed -dD -E -P - | \
-	  sha256sum | cut -c1-16 | cpif $@
-$(B)/print/flags: Makefile
+	@cat $(B)/plain/$*.h $(B)/plain/$*.c | perl $< | sha256sum | cut -c1-16 | cpif $@
+# Looked at each time, so that another compiler compiles everything anew; here one that is too old is told so.
+$(B)/print/flags: COMPILER
 	@mkdir -p $(@D)
-	@printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$($(CC) -dumpfullversion)" | \
-	  sha256sum | cut -c1-16 | cpif $@
+	@version=$$(printf '%s\n' '#ifdef __has_builtin' '#if __has_builtin(__builtin_shufflevector)' __VERSION__ \
+	  '#endif' '#endif' | $(CC) -E -P - | tr -d '\n'); [ -n "$$version" ] || { echo \
+	  '$(CC) cannot compile this: gcc 12, clang 14 or a newer one is needed, as in make CC=gcc-12 build'; exit 1; }; \
+	printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$version" | sha256sum | cut -c1-16 | cpif $@
+COMPILER: ;
 PRINTS := $(MODULES:%=$(B)/print/%) $(B)/print/flags
 $(B)/c/prints.stamp: $(PRINTS)
 	@for p in $(PRINTS); do printf '{"%s", "%s"},\n' "$${p##*/}" "$$(<$$p)"; done | \
@@ -100,14 +106,14 @@ $(B)/c/prints.inc: $(B)/c/prints.stamp ;
 
 # ---------------------------------------------------------------- compiling
 OBJECTS := $(MODULES:%=$(B)/obj/%.o)
-$(B)/obj/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+$(B)/obj/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(B)/c/prints.inc
 	@mkdir -p $(@D)
 	@echo '  compile $*'
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+$(B)/san/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(B)/c/prints.inc
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/ref_%.o: tests/ref_%.c | $(STAMPS)
+$(B)/san/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 -include $(wildcard $(B)/obj/*.d $(B)/san/*.d)
@@ -266,10 +272,19 @@ check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 
 	@tests/run $(sort $(wildcard tests/check-*.sh)) $(UNITS:%=$(B)/test/%)
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
-check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench ## the long tests, under 45 minutes
-	@tests/run $(sort $(wildcard tests/slow-*.sh))
+# The same programs of the plain build.
+$(B)/obj/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
+	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
+$(B)/unit/%: tests/test_%.c $(OBJECTS) $(REFERENCES:tests/%.c=$(B)/obj/%.o) $(wildcard tests/*.h)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c -Itests $(filter-out %.h,$^) $(LIBS) -o $@
+check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench $(B)/hard $(UNITS:%=$(B)/unit/%) ## the long tests, under 45 minutes
+	@CC='$(CC)' tests/run $(sort $(wildcard tests/slow-*.sh))
+# Warnings are errors here and in CI only, in a build of its own.
+programs: $(B)/bin/randpack $(B)/hard $(B)/slow $(B)/bench $(UNITS:%=$(B)/test/%)
 lint: $(STAMPS) $(B)/c/prints.inc $(B)/bench ## form: the web, the warnings, the layout, the prose
-	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)'
+	@$(MAKE) --no-print-directory B=$(B)/lint WERROR=-Werror programs
+	@tests/lint '$(WEB)' '$(MODULES)'
 mutants: $(STAMPS) $(B)/c/prints.inc ## planted errors, each caught by a named test
 	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES)' '$(LIBS)'
 $(B)/bench: tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS)
