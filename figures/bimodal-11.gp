@@ -2,7 +2,6 @@
 # data: bimodal
 set terminal cairolatex pdf size 12.6cm,10.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 made = data("bimodal", "made.partial.L-L@retry@60.tsv")
 shaken(rule) = data("bimodal", sprintf("shaken.partial.L-L@%s@60.tsv", rule))
 l = 0.313

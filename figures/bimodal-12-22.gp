@@ -2,7 +2,6 @@
 # data: bimodal
 set terminal cairolatex pdf size 12.6cm,12.4cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 table(stage, pair, rule) = data("bimodal", sprintf("%s.partial.%s@%s@60.tsv", stage, pair, rule))
 l = 0.313
 # n bins together: R on B's scale, g, its error, Percus and Yevick's g; a is the radius of the first

@@ -2,7 +2,6 @@
 # data: bimodal bimodal-large
 set terminal cairolatex pdf size 12.6cm,14cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 few(pair, M) = data("bimodal", sprintf("shaken.partial.%s@retry@%d.tsv", pair, M))
 many(pair, N) = data("bimodal-large", sprintf("shaken.partial.%s@%d.tsv", pair, N))
 l = 0.313

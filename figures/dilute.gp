@@ -2,7 +2,6 @@
 # data: dilute
 set terminal cairolatex pdf size 12.6cm,7cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 law(f, r, p) = data("dilute", sprintf("nearest@%s@%s@%s.tsv", f, r, p))
 gap(R) = (R - 2)/2
 set multiplot

@@ -2,7 +2,6 @@
 # data: first-peak
 set terminal cairolatex pdf size 12.6cm,13.2cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 file(r, c) = data("first-peak", sprintf("shaken.rdf@%s@%g.tsv", r, c))
 c1 = 0.575
 willis(c) = 0.8006*(8*c - 1)/c

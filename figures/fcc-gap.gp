@@ -2,7 +2,6 @@
 # data: lattice-fcc first-peak
 set terminal cairolatex pdf size 12.6cm,5.7cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 g(c) = data("first-peak", sprintf("made.rdf@retry@%g.tsv", c))
 unset key
 set lmargin screen 0.085; set rmargin screen 0.985; set tmargin screen 0.98; set bmargin screen 0.21

@@ -2,7 +2,6 @@
 # data: forget-rsa forget-crystal forget-slow forget-fast
 set terminal cairolatex pdf size 12.6cm,13cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 file(start, rule, radius) = data("forget-".start, sprintf("shaking@%s@%s.tsv", rule, radius))
 fluid = real(system("build/bin/randpack theory contact --phi 0.35 | awk '$1==\"schultz\" {print $3}'"))
 at(m) = m > 0 ? m : 0.45

@@ -2,7 +2,6 @@
 # data: gravity gravity-discs gravity-contacts
 set terminal cairolatex pdf size 12.6cm,6.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 set multiplot
 unset key
 set tmargin screen 0.96; set bmargin screen 0.19

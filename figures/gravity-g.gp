@@ -2,7 +2,6 @@
 # data: gravity side-grown side-diluted side-added
 set terminal cairolatex pdf size 12.6cm,10.4cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 phi = system("awk -F'\\t' '$1 == \"fraction\" {printf \"%.3f\", $2}' ".data("gravity", "summary.tsv"))
 set multiplot
 unset key

@@ -2,7 +2,6 @@
 # data: gravity-literal gravity-literal-discs
 set terminal cairolatex pdf size 12.6cm,7cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 # P, overlap, its error of the rows with this step and so many passes
 rows(s, d, p) = "< awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) k[$i] = i; next} $2 == ".d." && $3 == ".p." {print $1 \"\\t\" $k[\"overlap\"] \"\\t\" $k[\"overlap_err\"]}' ".data(s, "sweep.tsv")
 step(i) = word("0.02 0.05 0.1", i)

@@ -2,7 +2,6 @@
 # data: gravity-size gravity-million gravity-discs
 set terminal cairolatex pdf size 12.6cm,7cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 shells(s, v) = data(s, "profile-shells@".v.".tsv")
 half(s) = "< awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) k[$i] = i; next} {print $1 \"\\t\" $k[\"phi_0.5\"] \"\\t\" $k[\"phi_0.5_err\"]}' ".data(s, "sweep.tsv")
 set multiplot

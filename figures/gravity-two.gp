@@ -2,7 +2,6 @@
 # data: gravity-two gravity-two-discs gravity-product gravity-size gravity-discs
 set terminal cairolatex pdf size 12.6cm,6.8cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 cols(a, b, c, d) = "!h++ {for (i = 1; i <= NF; i++) k[$i] = i; next} {print $k[\"".a."\"] \"\\t\" $k[\"".b."\"] \"\\t\" $k[\"".c."\"] \"\\t\" $k[\"".d."\"]}"
 rows(s, how) = "< awk -F'\\t' '/^#/ {next} h && $1 != \"".how."\" {next} ".cols("species.[1].radius", "fraction", "fraction_err", "core.coarse")."' ".data(s, "sweep.tsv")
 share = "< awk -F'\\t' '/^#/ {next} ".cols("core.coarse", "fraction", "fraction_err", "core.coarse_err")."' ".data("gravity-product", "sweep.tsv")

@@ -2,7 +2,6 @@
 # data: growth-isothermal growth-literal growth-rest growth-theory
 set terminal cairolatex pdf size 12.6cm,15.5cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 # the combinations of a fraction that stand in column c and were reached; guard 1: too solid, 0: not
 rows(s, c, phi, guard) = sprintf("< awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) k[$i] = i; print; next} $%d==%g && $k[\"reached\"]>0 && ($k[\"solid_fraction\"]>0.02)==%d' %s", c, phi, guard, data("growth-".s, "sweep.tsv"))
 py(phi) = real(system(sprintf("awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) if ($i==\"py_%g\") c = i; next} $1<2.01005 {w = $1*$1*($1<2.00001 || $1>2.00995 ? 0.5 : 1); s += w*$c; n += w} END {print s/n}' %s", phi, data("growth-theory", "theory.tsv"))))

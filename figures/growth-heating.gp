@@ -1,6 +1,5 @@
 # Growth without a thermostat: the temperature, and the reduced rate, against the fraction.
 # data: growth-heating growth-theory
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 rows(a) = sprintf("< awk -F'\\t' '!/^#/ && (!h++ || $1==%g)' %s", a, data("growth-heating", "sweep.tsv"))
 set logscale y; set format y "$10^{%T}$"; unset mytics
 set xlabel "$\\phi$"; set xrange [0:0.66]; set xtics 0.2

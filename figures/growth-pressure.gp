@@ -1,6 +1,5 @@
 # The pressure by collisions: against Schultz's fit in the fluid; against Carnahan and Starling's beyond freezing.
 # data: growth-pressure growth-metastable growth-theory
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 eos = "build/bin/randpack theory contact --phi "
 grid(from, to, step) = system(sprintf("seq -s, %g %g %g", from, step, to))
 # phi, Z of an equation over that of another

@@ -1,6 +1,5 @@
 # The pressure of few spheres, with the correction that fixed numbers ask for; and of discs, against Henderson's.
 # data: growth-size growth-discs growth-theory
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 eos = "build/bin/randpack theory contact --phi "
 Z(b, phi) = real(system(sprintf("%s%.12g | awk '$1==\"%s\" {print $4}'", eos, phi, b)))
 q(phi) = phi*(Z("schultz", phi) - 1)

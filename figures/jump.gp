@@ -2,7 +2,6 @@
 # data: jump-grown jump-lattice jump-jammed rsa-K
 set terminal cairolatex pdf size 12.6cm,7.6cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 quantity(s, q, c) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $%d}' %s", q, c, data(s, "summary.tsv"))))
 density(phi) = 3*phi/(4*pi)
 grown = density(0.575); cubic = density(quantity("jump-lattice", "fraction@0.01", 2))

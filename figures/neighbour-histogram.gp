@@ -2,7 +2,6 @@
 # data: neighbour-histogram
 set terminal cairolatex pdf size 12.6cm,11.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 table(when, rule, centre, r) = data("neighbour-histogram", when.".histogram@".rule."@".centre."@".r.".tsv")
 # n, a thousandfold the change of p, its error by the differences of the same packs
 change(rule, centre, r) = "< awk -F'\\t' '/^#/ || $1 == \"n\" {next} {print $1 \"\\t\" 1000*$4 \"\\t\" 1000*$5}' ".table("shaken", rule, centre, r)

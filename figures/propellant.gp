@@ -1,7 +1,6 @@
 # Two sizes: the fraction at which they jam, over the coarse share; and the highest of each ratio, down to no size.
 # data: propellant propellant-one propellant-optimum
 set terminal cairolatex pdf size 12.6cm,8.6cm font ",10" fontscale 0.9
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 best(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("propellant-optimum", "summary.tsv"))))
 curve(r) = sprintf("< awk -F'\\t' '/^#/ {next} !h++ || $1==%s' %s", r, data("propellant", "sweep.tsv"))
 first_of(r, k) = real(system(sprintf("awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) if ($i==\"fraction\") c = i; next} $1==%s {print %d ? $c : $2/(1 + $2); exit}' %s", r, k, data("propellant", "sweep.tsv"))))

@@ -2,7 +2,6 @@
 # data: radius-read
 set terminal cairolatex pdf size 12.6cm,13.2cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 near(S) = "< awk -F'\\t' '$1==\"".S."\"' ".data("radius-read", "near.tsv")
 wrong(S) = "< awk -F'\\t' '$1==\"".S."\"' ".data("radius-read", "wrong.tsv")
 known(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("radius-read", "summary.tsv"))))

@@ -2,7 +2,6 @@
 # data: shake-drift
 set terminal cairolatex pdf size 12.6cm,6.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7", n)."}{".s."}"
 curve(r) = data("shake-drift", "shaking@".r.".tsv")
 rule(i) = word("metropolis chain newton dynamics", i)
 # the state before the first sweep stands at one third

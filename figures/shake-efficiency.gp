@@ -1,6 +1,5 @@
 # The relative error of the contact value after a second of one core: by rule against the fraction; of Metropolis' against the window.
 # data: efficiency efficiency-step data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 key(s, k) = real(system(sprintf("sed -n 's/#.*//; s/.*\\b%s *= \\([0-9.]*\\);.*/\\1/p' figures/%s.scene", k, s)))
 # a row: the keys of the sweep, the error of a mean over P realizations after a million operations in all
 # between the samples, as a part of the value, times f; the error of that error

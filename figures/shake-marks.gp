@@ -2,7 +2,6 @@
 # data: shake-marks
 set terminal cairolatex pdf size 12.6cm,13cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 table(rule, growth, phi) = data("shake-marks", "shaking@".rule."@".growth."@".phi.".tsv")
 summary(q) = real(system("awk -F'\\t' '$1==\"".q."\" {print $2}' ".data("shake-marks", "summary.tsv")))
 cs(phi) = real(system("build/bin/randpack theory contact --phi ".phi." | awk '$1==\"carnahan-starling\" {print $3}'"))

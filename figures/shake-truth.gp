@@ -2,7 +2,6 @@
 # data: shake-truth
 set terminal cairolatex pdf size 12.6cm,10.6cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 curve(r, c) = data("shake-truth", sprintf("shaken.rdf@%s@%g.tsv", r, c))
 fluid(c) = real(system(sprintf("build/bin/randpack theory contact --phi %g | awk '$1==\"schultz\" {print $3}'", c)))
 window = real(system("sed -n 's/^shake .*radius = \\([0-9.]*\\);.*/\\1/p' figures/shake-truth.scene"))

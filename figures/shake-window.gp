@@ -2,7 +2,6 @@
 # data: shake-window shake-tries shake-way
 set terminal cairolatex pdf size 12.6cm,11.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 # rows of a sweep on which the condition holds; columns by name
 rows(s, where) = "< awk -F'\\t' '/^#/ {next} !h++ || (".where.")' ".data(s, "sweep.tsv")
 per(v) = 100*v

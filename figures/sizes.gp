@@ -2,7 +2,6 @@
 # data: sizes-fuller sizes-jammed
 set terminal cairolatex pdf size 12.6cm,6.4cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 # radius, share of the number and of the volume up to it: of some of the small, of all the large
 shares = "< tail -n +3 build/data/sizes-fuller/pack-0.xyz | awk '{print $5}' | sort -g | awk '{v[NR] = $1; s[NR] = s[NR - 1] + $1^3} END {for (i = 1; i <= NR; i++) if (i % 120 == 0 || i > 0.985*NR && i % 4 == 0 || i > NR - 6) print v[i] \"\\t\" i/NR \"\\t\" s[i]/s[NR]}'"
 unset key

@@ -1,6 +1,5 @@
 # The contact value: rms error against the pairs at hand; above, seconds to count and fit them.
 # data: build/data/speed/summary.tsv data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 rows(m, p, phi) = sprintf("< awk -F'\\t' '$1==\"%s\" && $2==%s && $3==%s' build/data/speed/contact.tsv", m, sprintf("%g", p), phi)
 each = real(system("awk -F'\\t' '$1==\"contact\" && $2==\"fit\" && $4==100000 {print $6/$5}' data/bench-seconds.tsv"))
 set logscale xyx2

@@ -1,6 +1,5 @@
 # The contact value at .49 by the collisions spent: left, from a run at rest by four methods; right, by growth.
 # data: build/data/speed/summary.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 rows(m) = sprintf("< awk -F'\\t' '$1==\"%s\"' build/data/speed/crm-contact.tsv", m)
 grown(m) = sprintf("< awk -F'\\t' '$1==\"%s\" && $4>$5' build/data/speed/crm-rate.tsv", m)
 set logscale xy

@@ -1,6 +1,5 @@
 # Growth: microseconds a collision at constant radius against the number of particles.
 # data: data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 rows(m, l) = sprintf("< awk -F'\\t' '$1==\"crm\" && $2==\"%s\" && $3==\"%s\"' data/bench-seconds.tsv", m, l)
 # The power of N that fits each best, by least squares of the logarithms.
 stats rows("plain_cells", "0.30") using (log($4)):(log($6/$5)) name "A" nooutput

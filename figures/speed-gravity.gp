@@ -1,6 +1,5 @@
 # Packs by gravity: microseconds a particle, and the deepest overlap left, against the number of particles.
 # data: build/data/speed/summary.tsv build/data/seconds/summary.tsv data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 record = "data/bench-seconds.tsv"
 rows(m, l) = sprintf("< awk -F'\\t' '$1==\"gravity\" && $2==\"%s\" && $3==\"%s\"' %s", m, l, record)
 left(m, d) = sprintf("< awk -F'\\t' '$1==\"%s\" && $2==%d' build/data/speed/gravity.tsv", m, d)

@@ -2,7 +2,6 @@
 # data: build/data/speed/summary.tsv data/bench-seconds.tsv
 set terminal cairolatex pdf size 12.6cm,11.4cm font ",10" fontscale 0.9 linewidth 1 dashlength 1.2
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 record = "data/bench-seconds.tsv"
 # N, how many times as fast as the plain program, and its error
 times(l) = sprintf("< awk -F'\\t' '$1==\"partials\" && $3==\"%s\" {t[$2,$4]=$6; e[$2,$4]=$7/$6; n[$4]} END {for (k in n) {q=t[\"plain_sorted\",k]/t[\"ours\",k]; print k \"\\t\" q \"\\t\" q*sqrt(e[\"plain_sorted\",k]^2+e[\"ours\",k]^2)}}' %s | sort -n", l, record)

@@ -1,6 +1,5 @@
 # All pairs nearer than 1.5 at unit density: distances computed, and seconds, against N.
 # data: build/data/speed/summary.tsv data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 rows(m) = sprintf("< awk -F'\\t' '$1==\"neighbours\" && $2==\"%s\"' data/bench-seconds.tsv", m)
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"

@@ -1,6 +1,5 @@
 # Percus-Yevick at phi = .575: the worst error over 3 <= R <= 20 against seconds.
 # data: data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 rows(m, l) = sprintf("< awk -F'\\t' '$1==\"py\" && $2==\"%s\" && $3==\"%s\"' data/bench-seconds.tsv", m, l)
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"

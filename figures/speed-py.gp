@@ -1,6 +1,5 @@
 # Percus-Yevick at phi = .575: error against terms, near contact, midway and far.
 # data: build/data/speed/summary.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 rows(m, R) = sprintf("< awk -F'\\t' '$1==\"%s\" && $2==0.575 && $3==%s' build/data/speed/py.tsv", m, R)
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"

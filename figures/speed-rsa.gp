@@ -1,6 +1,5 @@
 # RSA: what is missing from saturation against the work a particle, and seconds a particle.
 # data: build/data/speed/summary.tsv data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 work(m, d) = sprintf("< awk -F'\\t' '$1==\"%s\" && $2==%d && $4>0' build/data/speed/rsa.tsv", m, d)
 rows(m, w) = sprintf("< awk -F'\\t' '$1==\"rsa\" && $2==\"%s\" && $3~/^%s/ && $9>0' data/bench-seconds.tsv", m, w)
 full(d) = real(system(sprintf("awk -F'\\t' '$1==\"ours\" && $2==%d && $4==0 {print $3}' build/data/speed/rsa.tsv", d)))

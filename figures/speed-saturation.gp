@@ -1,6 +1,5 @@
 # The error of the saturation fraction against particles placed; above, seconds.
 # data: build/data/speed/summary.tsv data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 rows(d, n) = sprintf("< awk -F'\\t' '$1==%d && $2==%d' build/data/speed/saturation.tsv", d, n)
 each(w) = real(system(sprintf("awk -F'\\t' '$1==\"rsa\" && $3==\"%s-saturated\" && $4==1000 {print $6/$5}' data/bench-seconds.tsv", w)))
 spread(d) = real(system(sprintf("awk -F'\\t' '$1==\"rsa_%d_spread_1000\" {print $2}' build/data/speed/summary.tsv", d)))

@@ -2,7 +2,6 @@
 # data: theory-curves
 set terminal cairolatex pdf size 12.6cm,6.8cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 quantity(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("theory-curves", "summary.tsv"))))
 kappa = quantity("willis_constant")
 py(c) = (2 + c)/(2*(1 - c)**2) - 1

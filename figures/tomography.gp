@@ -2,7 +2,6 @@
 # data: tomography tomography-shaken
 set terminal cairolatex pdf size 12.6cm,12cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 large = data("tomography", "rdf.tsv")
 made = data("tomography-shaken", "made.rdf.tsv"); shaken = data("tomography-shaken", "shaken.rdf.tsv")
 # n bins together: R, g less that of the large packs in per cent, and its error
