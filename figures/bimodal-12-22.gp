@@ -4,8 +4,9 @@ set terminal cairolatex pdf size 12.6cm,12.4cm font ",10" fontscale 0.9
 set output out
 table(stage, pair, rule) = data("bimodal", sprintf("%s.partial.%s@%s@60.tsv", stage, pair, rule))
 l = 0.313
-# n bins together: R on B's scale, g, its error, Percus and Yevick's g; a is the radius of the first
-bins(file, a, n) = "< awk -F'\\t' '/^#/ || !h++ {next} {r += ($1 - ".a.")/".sprintf("%g", l)." + 1; g += $3; e += $4*$4; p += $10} ++m == ".n." {print r/m \"\\t\" g/m \"\\t\" sqrt(e)/m \"\\t\" p/m; m = r = g = e = p = 0}' ".file
+bins(file, n) = columns(sprintf("bin=%d ", n).file)
+# B's scale; a is the radius of the first
+on(a) = (column("R") - a)/l + 1
 unset key
 set style fill transparent solid 0.25 noborder
 # the pair of a rhombus in the middle: small, mixed, large; chains
@@ -15,7 +16,7 @@ array geo22[5] = [2*sqrt(3), 4*sqrt((2 + k)*k)/(1 + k), 2*sqrt(1 + 2*k), 4, 2*(1
 array word_[5] = ["a", "b", "c", "", "e"]
 set multiplot
 do for [j = 1:2] {
-  pair = word("L-S S-S", j); a = word("1 0.313", j); y0 = j == 1 ? 0.5 : 0.75; y1 = j == 1 ? 1.65 : 1.5
+  pair = word("L-S S-S", j); a = real(word("1 0.313", j)); y0 = j == 1 ? 0.5 : 0.75; y1 = j == 1 ? 1.65 : 1.5
   unset label; unset arrow
   set tmargin screen 0.985 - 0.5*(j - 1); set bmargin screen 0.6 - 0.5*(j - 1)
   # near contact
@@ -26,10 +27,10 @@ do for [j = 1:2] {
   set label 2 ink(3, "Metropolis") at graph 0.27,0.82
   set label 3 ink(2, "retry (B)") at graph 0.27,0.72
   set label 4 ink(7, "Percus--Yevick") at graph 0.27,0.62
-  plot bins(table("made", pair, "retry"), a, 2) using 1:4 with lines lt 7 dt 4, \
-    bins(table("made", pair, "retry"), a, 2) using 1:2:3 with yerrorbars lt 1 pt 6 ps 0.8, \
-    bins(table("shaken", pair, "metropolis"), a, 2) using 1:2:3 with yerrorbars lt 3 pt 9 ps 0.4, \
-    bins(table("shaken", pair, "retry"), a, 2) using 1:2:3 with yerrorlines lt 2 pt 5 ps 0.3
+  plot bins(table("made", pair, "retry"), 2) using (on(a)):"py" with lines lt 7 dt 4, \
+    bins(table("made", pair, "retry"), 2) using (on(a)):"g":"g_err" with yerrorbars lt 1 pt 6 ps 0.8, \
+    bins(table("shaken", pair, "metropolis"), 2) using (on(a)):"g":"g_err" with yerrorbars lt 3 pt 9 ps 0.4, \
+    bins(table("shaken", pair, "retry"), 2) using (on(a)):"g":"g_err" with yerrorlines lt 2 pt 5 ps 0.3
   unset label
   # beyond
   set lmargin screen 0.43; set rmargin screen 0.985
@@ -45,9 +46,9 @@ do for [j = 1:2] {
     set label 10 + i ink(8, word_[i]) at at - (j == 2 && i == 2 ? 0.02 : 0),y0 + 0.115*dy center
   }
   set label 14 ink(8, "d") at 4.17,y0 + 0.115*dy center
-  plot 1 with lines lt 8 lw 0.5, bins(table("made", pair, "retry"), a, 4) using 1:4 with lines lt 7 dt 4, \
-    bins(table("made", pair, "retry"), a, 4) using 1:($2-$3):($2+$3) with filledcurves lt 1, bins(table("made", pair, "retry"), a, 4) using 1:2 with lines lt 1 lw 1, \
-    bins(table("shaken", pair, "metropolis"), a, 4) using 1:2 with lines lt 3 lw 0.8, \
-    bins(table("shaken", pair, "retry"), a, 4) using 1:($2-$3):($2+$3) with filledcurves lt 2, bins(table("shaken", pair, "retry"), a, 4) using 1:2 with lines lt 2 lw 1
+  plot 1 with lines lt 8 lw 0.5, bins(table("made", pair, "retry"), 4) using (on(a)):"py" with lines lt 7 dt 4, \
+    bins(table("made", pair, "retry"), 4) using (on(a)):(low("g")):(high("g")) with filledcurves lt 1, bins(table("made", pair, "retry"), 4) using (on(a)):"g" with lines lt 1 lw 1, \
+    bins(table("shaken", pair, "metropolis"), 4) using (on(a)):"g" with lines lt 3 lw 0.8, \
+    bins(table("shaken", pair, "retry"), 4) using (on(a)):(low("g")):(high("g")) with filledcurves lt 2, bins(table("shaken", pair, "retry"), 4) using (on(a)):"g" with lines lt 2 lw 1
 }
 unset multiplot

@@ -2,7 +2,7 @@
 # data: bimodal-fluid bimodal bimodal-477 bimodal-138 first-peak
 set terminal cairolatex pdf size 12.6cm,7.2cm font ",10" fontscale 0.9
 set output out
-quantity(scene, q, c) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $%d}' %s", q, c, data(scene, "summary.tsv"))))
+quantity(scene, q, c) = c == 2 ? known(scene, q) : known_err(scene, q)
 pairs = "L-L L-S S-S"; colour = "1 3 2"; full = "7 9 5"; open = "6 8 4"
 fluid(q, p, phi, c) = quantity("bimodal-fluid", sprintf("%s.%s@%g", q, word(pairs, p), phi), c)
 unset key

@@ -1,11 +1,12 @@
 # figures/columns.awk: rows of tables by the names of their columns, with a line of names above. Tables come as files, options as
 # NAME=VALUE before the tables that they are for:
-#   where  conditions COLUMN=VALUE, COLUMN<VALUE or COLUMN>VALUE with semicolons between: the rows on which all of them hold
+#   where  conditions COLUMN=VALUE, COLUMN<VALUE or COLUMN>VALUE with semicolons between: the rows on which all of them hold;
+#          a star at the end of a VALUE stands for anything
 #   of     PATTERN with one star: the rows whose `quantity` fits, with a column `at` for what the star stands for
 #   by     COLUMN or COLUMN;COLUMN: rows of several tables that agree there are one row, in the order of the first table, in which
 #          the columns of the second table end in _2, and so on; without it, `at` if there is an `of`, else the first column
 #   bin    so many rows become one: means, and in columns that end in _err the error of the mean; what is left over is dropped
-#   get    COLUMN: nothing but its value in the first row
+#   get    COLUMN: nothing but its values, with blanks between
 # What is not there is an error.
 function fail(words) { print "columns.awk: " FILENAME ": " words > "/dev/stderr"; failed = 1; exit 1 }
 function number(x) { return x ~ /^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$/ }
@@ -25,8 +26,9 @@ function header(   i, part) {
   for (i = 1; i <= keys; i++) key[i] = by != "" ? column(part[i]) : of != "" ? NF : 1
   for (i = 1; i <= NF; i++) name[++names] = $i (tables > 1 ? "_" tables : "")
 }
-function holds(i,   x) {
-  x = $tested[i]
+function holds(i,   x, n) {
+  x = $tested[i]; n = length(limit[i])
+  if (substr(limit[i], n) == "*") return substr(x, 1, n - 1) == substr(limit[i], 1, n - 1)
   if (sign[i] == "=") return number(x) && number(limit[i]) ? x + 0 == limit[i] + 0 : x == limit[i] ""
   return sign[i] == "<" ? x + 0 < limit[i] + 0 : x + 0 > limit[i] + 0
 }
@@ -68,12 +70,13 @@ END {
   if (get == "") for (i = 1; i <= names; i++) printf "%s%s", name[i], (i < names ? OFS : "\n")
   for (r = 1; r <= rows; r++) if (found[order[r]] == tables) {
     split(row[order[r]], field, OFS)
-    if (get != "") { print field[wanted]; got = 1; exit }
+    if (get != "") { printf "%s%s", (got++ ? " " : ""), field[wanted]; continue }
     if (bin > 1) for (i = 1; i <= names; i++) {
       if (!number(field[i])) bad[name[i]]
       sum[i] += name[i] ~ /_err(_[0-9]+)?$/ ? field[i] * field[i] : field[i]
     }
     if (++taken % bin == 0) put()
   }
-  if (get != "") fail("no row for " where)
+  if (get != "" && !got) fail("no row for " where)
+  if (get != "") print ""
 }

@@ -2,7 +2,6 @@
 # data: first-peak first-peak-isothermal first-peak-longest first-peak-longest-isothermal first-peak-during first-peak-during-isothermal
 set terminal cairolatex pdf size 12.6cm,14cm font ",10" fontscale 0.9
 set output out
-set datafile columnheaders
 rules = "dynamics newton chain collision-longest collision retry metropolis"
 line(r) = sum [i = 1:words(rules)] (word(rules, i) eq r ? i - 1 : 0)
 at(shift) = line(stringcolumn("shake.rule")) + shift
@@ -32,7 +31,7 @@ do for [j = 1:3] {
   }
   plot for [s in "first-peak first-peak-longest"] after(s, phi) using (per(change)):(at(0.24)):(per(change."_err")) with xerrorbars lt 1 pt 7 ps 0.6, \
     for [s in "first-peak-isothermal first-peak-longest-isothermal"] after(s, phi) using (per(change)):(at(0.08)):(per(change."_err")) with xerrorbars lt 1 pt 6 ps 0.6, \
-    during("first-peak-during", "first-peak", phi) using (100*over(grown) - 100):(at(-0.08)):(100*over_err(grown)) with xerrorbars lt 2 pt 5 ps 0.55, \
-    during("first-peak-during-isothermal", "first-peak-isothermal", phi) using (100*over(grown) - 100):(at(-0.24)):(100*over_err(grown)) with xerrorbars lt 2 pt 4 ps 0.55
+    during("first-peak-during", "first-peak", phi) using (rise(grown)):(at(-0.08)):(rise_err(grown)) with xerrorbars lt 2 pt 5 ps 0.55, \
+    during("first-peak-during-isothermal", "first-peak-isothermal", phi) using (rise(grown)):(at(-0.24)):(rise_err(grown)) with xerrorbars lt 2 pt 4 ps 0.55
 }
 unset multiplot

@@ -3,8 +3,7 @@
 set terminal cairolatex pdf size 12.6cm,11.6cm font ",10" fontscale 0.9
 set output out
 table(when, rule, centre, r) = data("neighbour-histogram", when.".histogram@".rule."@".centre."@".r.".tsv")
-# n, a thousandfold the change of p, its error by the differences of the same packs
-change(rule, centre, r) = "< awk -F'\\t' '/^#/ || $1 == \"n\" {next} {print $1 \"\\t\" 1000*$4 \"\\t\" 1000*$5}' ".table("shaken", rule, centre, r)
+# below, a thousandfold the change of p, its error by the differences of the same packs
 unset key
 set multiplot
 set lmargin screen 0.105; set rmargin screen 0.985; set tmargin screen 0.985; set bmargin screen 0.50
@@ -16,8 +15,8 @@ set label 2 ink(3, "on points") at 8.1,0.23 right
 set label 3 ink(2, "on particles, not counted") at 10.3,0.37 right
 set label 5 ink(1, "on particles, counted") at 12.4,0.37
 set label 6 "lines: as grown" at graph 0.98,0.95 right; set label 7 "symbols: after 60 shakes, retry" at graph 0.98,0.885 right
-plot for [w = 1:3] table("made", "retry", word("counted excluded random", w), "2.5") using 1:2:3 with yerrorlines lt w pt 0 lw 1.4, \
-  for [w = 1:3] table("shaken", "retry", word("counted excluded random", w), "2.5") using 1:2:3 with yerrorlines lt w dt 3 lw 1 pt (w == 1 ? 6 : w == 2 ? 4 : 8) ps 0.7
+plot for [w = 1:3] table("made", "retry", word("counted excluded random", w), "2.5") using "n":"p":"p_err" with yerrorlines lt w pt 0 lw 1.4, \
+  for [w = 1:3] table("shaken", "retry", word("counted excluded random", w), "2.5") using "n":"p":"p_err" with yerrorlines lt w dt 3 lw 1 pt (w == 1 ? 6 : w == 2 ? 4 : 8) ps 0.7
 unset object; unset label
 set tmargin screen 0.355; set bmargin screen 0.105
 set xtics 2; set ytics 2; unset ylabel
@@ -30,7 +29,7 @@ do for [j = 1:3] {
   if (j == 1) { set format y "$%g$"; set label "$10^3\\times$ change of $p$" at screen 0.02,graph 0.5 center rotate by 90 } else { set format y "" }
   set label sprintf("$r_h=%s$", r) at graph 0.05,0.9
   if (j == 2) { set label ink(2, "on particles, retry")."\\quad ".ink(8, "on particles, Metropolis")."\\quad ".ink(3, "on points, retry") at screen 0.545,0.39 center }
-  plot 0 with lines lt 8, change("metropolis", "excluded", r) using ($1 + 0.15):2:3 with yerrorbars lt 8 dt 1 pt 6 ps 0.5, \
-    change("retry", "excluded", r) using 1:2:3 with yerrorlines lt 2 pt 4 ps 0.55, change("retry", "random", r) using ($1 - 0.15):2:3 with yerrorlines lt 3 pt 8 ps 0.6
+  plot 0 with lines lt 8, table("shaken", "metropolis", "excluded", r) using (column("n") + 0.15):(1000*column("change")):(1000*column("change_err")) with yerrorbars lt 8 dt 1 pt 6 ps 0.5, \
+    table("shaken", "retry", "excluded", r) using "n":(1000*column("change")):(1000*column("change_err")) with yerrorlines lt 2 pt 4 ps 0.55, table("shaken", "retry", "random", r) using (column("n") - 0.15):(1000*column("change")):(1000*column("change_err")) with yerrorlines lt 3 pt 8 ps 0.6
 }
 unset multiplot

@@ -2,7 +2,6 @@
 # data:
 set terminal cairolatex pdf size 12.6cm,4.1cm font ",10"
 set output out
-set datafile columnheaders
 unset border; unset tics; unset key
 set size ratio -1
 set lmargin screen 0; set rmargin screen 1; set tmargin screen 1; set bmargin screen 0

@@ -2,7 +2,6 @@
 # data: unimodal-peaks theory-curves
 set terminal cairolatex pdf size 12.6cm,9.6cm font ",10" fontscale 0.9
 set output out
-set datafile columnheaders
 made = data("unimodal-peaks", "made.rdf@retry@60.tsv")
 shaken(rule, M) = data("unimodal-peaks", sprintf("shaken.rdf@%s@%d.tsv", rule, M))
 theory = data("theory-curves", "theory.tsv")

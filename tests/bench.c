@@ -2108,11 +2108,12 @@ static Point gravity_size(Bench *bench, Table *table, Making how, int dim,
 
 static void gravity_growths(Bench *bench) {
   Table table = begin(bench, "gravity.tsv",
-                      "Packs by gravity: operations a particle, and overlap",
-                      "mode\tdimension\tP\tpacks, then means and their errors "
-                      "of\tsweeps\t\tpasses\t\tturns a particle\t\tpushes a "
-                      "particle\t\tturns and pushes\t\tdeepest overlap left, "
-                      "diameters\t\tlargest c\t\tfraction in half the rim");
+                      "Packs by gravity: operations a particle, deepest overlap left "
+                      "in diameters, fraction in half the rim",
+                      "mode\tdimension\tP\tpacks\tsweeps\tsweeps_err\tpasses\t"
+                      "passes_err\tturns\tturns_err\tpushes\tpushes_err\twork\t"
+                      "work_err\toverlap\toverlap_err\tlargest_c\tlargest_c_err"
+                      "\tinner_fraction\tinner_fraction_err");
   double worst[MADE] = {0, 0};
   for (int how = 0; how < MADE; how++)
     for (int dim = 2; dim <= 3; dim++) {
