@@ -12,7 +12,7 @@ h = 1e-3
 finite(phi) = -phi*(q(phi + h) - 2*q(phi) + q(phi - h))/h**2/2/(1 + (q(phi + h) - q(phi - h))/2/h)
 permille(r) = 1000*(r - 1)
 percent(r) = 100*(r - 1)
-long(warm) = columns(sprintf("where=measure.pressure.warm=%d %s", warm, data("growth-metastable", "sweep.tsv")))
+long(warm) = columns(sprintf("where=measure.pressure.warm=%s %s", warm, data("growth-metastable", "sweep.tsv")))
 set multiplot
 set lmargin screen 0.125; set rmargin screen 0.535; set tmargin screen 0.97; set bmargin screen 0.18
 set xrange [0:0.51]; set xtics 0.1; set yrange [-3.3:1.7]

@@ -5,7 +5,7 @@ best(q) = known("propellant-optimum", q)
 curve(r) = columns(sprintf("where=species.[1].radius=%s %s", r, data("propellant", "sweep.tsv")))
 # the coarse share, of the volumes of coarse and fine
 share(fine) = column("species.[0].volume")/(fine + column("species.[0].volume"))
-first(r, c) = real(word(system(sprintf("awk -f figures/columns.awk 'get=%s' 'where=species.[1].radius=%s' %s", c, r, data("propellant", "sweep.tsv"))), 1))
+flat(r, c) = real(word(system(sprintf("awk -f figures/columns.awk 'get=%s' 'where=species.[1].radius=%s' %s", c, r, data("propellant", "sweep.tsv"))), 1))
 maxima = columns("'of=X@*' ".data("propellant-optimum", "summary.tsv")." 'of=fraction@*' ".data("propellant-optimum", "summary.tsv"))
 $Maggi << END
 X	phi
@@ -30,7 +30,7 @@ set arrow 1 from 0.2,0.868 to 1,0.868 nohead lt 7 dt 3 lw 0.8
 set label 3 "$\\triangledown$ Maggi, 6.5:1" at 0.785,0.835
 # the flat curves are named at their first points, the others where there is room
 do for [i = 1:3] { r = word(sizes, i)
-  set label 10 + i ink(i, word(names, i)) at first(r, "species.[0].volume")/(1 + first(r, "species.[0].volume")) - 0.015,first(r, "fraction") right }
+  set label 10 + i ink(i, word(names, i)) at flat(r, "species.[0].volume")/(1 + flat(r, "species.[0].volume")) - 0.015,flat(r, "fraction") right }
 set label 14 ink(4, word(names, 4)) at 0.555,0.727
 set label 15 ink(5, word(names, 5)) at 0.63,0.787 right
 plot [0.2:1] (x < 1/(2 - phi0) ? fine(x, 0) : coarse(x)) with lines lt 8 lw 1.4, \
