@@ -26,13 +26,14 @@ do for [j = 1:2] {
   set lmargin screen 0.10 + 0.50*(j - 1); set rmargin screen 0.485 + 0.50*(j - 1)
   set xrange [2:12]; set xtics 2; set mxtics 4
   set tmargin screen 0.985; set bmargin screen 0.70; set format x ""; unset xlabel
-  set format y "$%g$"; set yrange [(j == 1 ? 0.7 : 0.86):(j == 1 ? 1.5 : 1.34)]; dy = j == 1 ? 0.2 : 0.1; set ytics dy; set ylabel sprintf("$g_{%s}$", word("12 22", j)) offset (j == 1 ? 2.2 : 1.2)
+  set format y "$%g$"; set yrange [(j == 1 ? 0.7 : 0.86):(j == 1 ? 1.5 : 1.34)]; dy = j == 1 ? 0.2 : 0.1; set ytics dy
   unset label; unset arrow
+  set label 9 sprintf("$g_{%s}$", word("12 22", j)) at screen 0.022 + 0.5*(j - 1),graph 0.5 center rotate
   set label 1 ink(1, "$N=7000$, $M=3$") at graph 0.4,0.93; set label 2 ink(2, "$2000$, $3$") at graph 0.4,0.83; set label 3 ink(7, "$2000$, $60$") at graph 0.4,0.73
   plot 1 with lines lt 8 lw 0.5, bins(many(pair, 7000)) using (on(a)):"g" with lines lt 1 lw 1.4, bins(few(pair, 3)) using (on(a)):"g" with lines lt 2 lw 0.9, bins(few(pair, 60)) using (on(a)):"g" with lines lt 7 lw 0.7 dt 4
   unset label
   set tmargin screen 0.665; set bmargin screen 0.48; set format x "%g"
-  set xlabel sprintf("$R_{%s}$", word("12 22", j)) offset 0,0.7; set yrange [-9.5:5.5]; set ytics 5; set ylabel (j == 1 ? "difference / error" : "") offset 1.6
+  set xlabel sprintf("$R_{%s}$", word("12 22", j)) offset 0,0.7; set yrange [-9.5:5.5]; set ytics 5; if (j == 1) { set label 9 "difference / error" at screen 0.022,graph 0.5 center rotate }
   set label 1 ink(1, "$\\bullet$ $7000-2000$, both $M=3$") at graph 0.12,0.26; set label 2 ink(2, "$\\scriptstyle\\square$ $M=60$ less $M=3$, 2000") at graph 0.12,0.11
   plot -2 with lines lt 8 lw 0.5, 2 with lines lt 8 lw 0.5, \
     pair_of(few(pair, 60), few(pair, 3)) using (on(a)):(apart("g")) with points lt 2 pt 4 ps 0.4, \
@@ -42,7 +43,7 @@ unset label
 # the law of errors
 set tmargin screen 0.385; set bmargin screen 0.09; set lmargin screen 0.105; set rmargin screen 0.485
 set logscale xy; set xrange [1.5e4:2.4e5]; set xtics (2e4, 5e4, 1e5, 2e5) ; unset mxtics; set format x "$%.0s{\\cdot}10^{%T}$"; set xtics add ("$2{\\cdot}10^4$" 2e4, "$5{\\cdot}10^4$" 5e4, "$10^5$" 1e5, "$2{\\cdot}10^5$" 2e5)
-set yrange [0.0052:0.16]; set ytics (0.01, 0.02, 0.05, 0.1); set format y "%g"; set xlabel "$PN$" offset 0,0.7; set ylabel "error of a bin of $g_{km}$" offset 2
+set yrange [0.0052:0.16]; set ytics (0.01, 0.02, 0.05, 0.1); set format y "%g"; set xlabel "$PN$" offset 0,0.7; set label 9 "error of a bin of $g_{km}$" at screen 0.018,graph 0.5 center rotate
 s11 = noise[3]; s12 = noise[6]; s22 = noise[9]
 set label 1 ink(1, "1--1") at 1.7e4,1.45*s11*sqrt(16e4/23e3); set label 2 ink(3, "1--2") at 1.7e4,1.4*s12*sqrt(16e4/23e3); set label 3 ink(2, "2--2") at 1.7e4,0.72*s22*sqrt(16e4/23e3)
 set label 4 "$N=1000$" at 1.6e4,0.0061; set label 5 "7000, 2000" at 1.35e5,0.0061 center
@@ -54,12 +55,12 @@ plot s11*sqrt(16e4/x) with lines lt 1 lw 0.7, s12*sqrt(16e4/x) with lines lt 3 l
 unset label; unset logscale
 # the first peaks against M
 set lmargin screen 0.62; set rmargin screen 0.985
-set xrange [-3:73]; set xtics ("0" 0, "3" 20, "30" 40, "60" 60); set format xy "$%g$"; set xlabel "$M$" offset 0,0.7
-set yrange [-36:9]; set ytics 10; set ylabel "change of first peak, \\%" offset 0.3
+set xrange [-3:76]; set xtics ("0" 0, "3" 20, "30" 40, "60" 60); set format xy "$%g$"; set xlabel "$M$" offset 0,0.7
+set yrange [-36:9]; set ytics 10; set label 9 "change of first peak, \\%" at screen 0.54,graph 0.5 center rotate
 c(rule, pair, M, k) = M == 0 ? 0 : 100*quantity(sprintf("change.contact_first_bin.%s@%s@%d", pair, rule, M), k)
 array M[4] = [0, 3, 30, 60]
 array at_[4] = [0, 20, 40, 60]
-set label 1 ink(1, "1--1") at 62,c("retry", "L-L", 60, 2); set label 2 ink(3, "1--2") at 62,c("retry", "L-S", 60, 2) + 0.8; set label 3 ink(2, "2--2") at 62,c("retry", "S-S", 60, 2) - 1.5
+set label 1 ink(1, "1--1") at 64,c("retry", "L-L", 60, 2); set label 2 ink(3, "1--2") at 64,c("retry", "L-S", 60, 2) + 1.2; set label 3 ink(2, "2--2") at 64,c("retry", "S-S", 60, 2) - 1.5
 set label 4 "$\\Diamond$ B, $g_{11}$" at 24,-16.5; set label 5 ink(8, "Metropolis: open") at 5,6.5
 plot 0 with lines lt 8 lw 0.5, for [i = 1:4] for [p = 1:3] "+" using (at_[i] + 1.2*(p - 2)):(c("retry", word("L-L L-S S-S", p), M[i], 2)):(c("retry", word("L-L L-S S-S", p), M[i], 3)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("7 9 5", p)) ps 0.6, \
   for [i = 2:4] for [p = 1:3] "+" using (at_[i] + 1.2*(p - 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], 3)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("6 8 4", p)) ps 0.6, \

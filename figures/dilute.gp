@@ -12,8 +12,9 @@ do for [i = 0:1] {
   f = word("0.5 0.3", i + 1); m = mean(f)
   set lmargin screen 0.09 + 0.47*i; set rmargin screen 0.515 + 0.47*i
   set xrange [0:0.14 + 0.28*i]; set xtics 0.05*(1 + i); set logscale y; set yrange [0.3:300]; set format y "$10^{%T}$"
-  set xlabel "nearest gap, diameters"; if (i) { unset ylabel; set format y "" } else { set ylabel "density" offset 1.5,0 }
+  set xlabel "nearest gap, diameters"; if (i) { set format y "" }
   unset label
+  if (!i) { set label 9 "density" at screen 0.022,graph 0.5 center rotate }
   set arrow 1 from m,0.3 to m,130 nohead lt 1 front
   set label 2 ink(1, "no moves") at m,200 center
   if (i) {

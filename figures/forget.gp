@@ -35,10 +35,10 @@ do for [k = 1:2] {
   set xtics ("0" 0.45, "1" 1, "10" 10, "100" 100, "1000" 1000)
   set xlabel "shakes" offset 0,0.5
   if (k == 1) { set label 9 "$Q_6$ from the crystal" at screen 0.022,graph 0.5 center rotate; set format y "%.1f" } else { set format y "" }
-  set label 1 ink(4, "metropolis, ").ink(7, "retry") at graph 0.97,0.92 right
+  if (k == 2) { set label 1 ink(4, "full: metropolis") at graph 0.97,0.92 right; set label 3 ink(4, "open: retry") at graph 0.97,0.77 right }
   if (k == 1) { set label 2 ink(8, "from RSA") at 0.5,0.075 }
   plot file("crystal", "metropolis", radius) using (at(column("M"))):"Q6":"Q6_err" with yerrorlines lt 4 lw 0.8 ps 0.5, \
-    file("crystal", "retry", radius) using (at(column("M"))*1.05):"Q6":"Q6_err" with yerrorlines lt 7 dt 2 lw 0.8 ps 0.5, \
+    file("crystal", "retry", radius) using (at(column("M"))*1.05):"Q6":"Q6_err" with yerrorlines lt 4 dt 2 pt 12 lw 0.8 ps 0.9, \
     file("rsa", "metropolis", radius) using (at(column("M"))*0.95):"Q6" with lines lt 8
 }
 unset multiplot

@@ -30,11 +30,11 @@ set multiplot
 set tmargin screen 0.97; set bmargin screen 0.17; set lmargin screen 0.125; set rmargin screen 0.6
 set xrange [0.17:0.605]; set xtics (".30" 0.3, ".45" 0.45, ".49" 0.49, ".575" 0.575)
 set xlabel "$\\phi$"; set label 9 "relative error after one second" at screen 0.02,graph 0.5 center rotate
-set label 1 ink(3, "metropolis, best $R_{\\rm sh}$") at 0.3,0.0042
-set label 2 ink(4, "chain") at 0.29,0.00056 right; set label 3 ink(6, "newton") at 0.29,0.00029 right
-set label 4 ink(7, "dynamics") at 0.29,0.00086 right; set label 5 ink(8, "open: from the virial") at 0.595,2.4e-4 right
+set label 1 ink(3, "best $R_{\\rm sh}$") at 0.18,0.0075; set label 6 ink(3, "metropolis") at 0.284,0.00093 right
+set label 2 ink(4, "chain") at 0.29,0.00055 right; set label 3 ink(6, "newton") at 0.29,0.00029 right
+set label 4 ink(7, "dynamics") at 0.284,0.0020 right; set label 5 ink(8, "open: from the virial") at 0.595,2.4e-4 right
 at(i) = real(word(phis, i)) - 0.006
-do for [i = 1:4] { set label 10 + i ink(3, sprintf("$%s$", sprintf("%g", window[i])[2:])) at at(i),1.5*best[i] center }
+do for [i = 1:4] { set label 10 + i ink(3, sprintf("$%s$", sprintf("%g", window[i])[2:])) at real(word(phis, i)) + (i == 2 ? -0.008 : i == 3 ? 0.008 : 0),0.0075 center }
 plot "+" using (at(int($0) + 1)):(best[int($0) + 1]):(doubt*best[int($0) + 1]) every ::0::3 with yerrorlines lt 3 lw 0.8 pt 7 ps 0.5, \
   for [i = 1:3] rows("efficiency", "shake.rule=".word(rules, i)) using (column("fraction") + 0.003*(i - 2)):(error(q, each_rule[i])):(doubt*error(q, each_rule[i])) \
     with yerrorlines lt int(word(colours, i)) lw 0.8 pt int(word(full, i)) ps 0.55, \

@@ -6,7 +6,7 @@ table(rule, growth, phi) = data("shake-marks", "shaking@".rule."@".growth."@".ph
 cs(phi) = equation("carnahan-starling", phi, "g(2+)")
 zero = 0.4
 shakes(least) = column("M") > least ? column("M") : NaN
-mark(g) = int(word("9 5 7", g))
+mark(g) = int(word("8 5 7", g)); size_(g) = g == 1 ? 0.9 : 0.45
 set logscale x
 set xrange [0.25:1600]; unset mxtics
 unset key
@@ -26,8 +26,8 @@ do for [j = 1:3] {
     if (j == 3 && k == 3) { set label ink(1, "$a_0=10$") at graph 0.95,0.63 right; set label ink(2, "$a_0=1$") at graph 0.95,0.54 right; set label ink(3, "$a_0=.01$") at graph 0.95,0.45 right }
     b = (1 - real(word("0.43 0.21 0.04", j)))*known("shake-marks", "contact_first_bin_0@retry@1@".phi)
     if (k == 2) { set label "B" at 10,b - real(word("1.7 2.4 4.3", j)) center }
-    plot for [g = 1:3] table(rule, word("10 1 0.01", g), phi) using (shakes(0)):"contact_first_bin":"contact_first_bin_err" with yerrorlines lt g pt mark(g) ps 0.45, \
-      for [g = 1:3] table(rule, word("10 1 0.01", g), phi) using (zero*1.25**(g - 2)):"contact_first_bin":"contact_first_bin_err" every ::0::0 with yerrorbars lt g pt mark(g) ps 0.45, \
+    plot for [g = 1:3] table(rule, word("10 1 0.01", g), phi) using (shakes(0)):"contact_first_bin":"contact_first_bin_err" with yerrorlines lt g pt mark(g) ps size_(g), \
+      for [g = 1:3] table(rule, word("10 1 0.01", g), phi) using (zero*1.25**(g - 2)):"contact_first_bin":"contact_first_bin_err" every ::0::0 with yerrorbars lt g pt mark(g) ps size_(g), \
       for [n = 1:(k == 2)] "+" using (10):(b) every ::0::0 with points lt 7 pt 12 ps 1.1
   }
 }
