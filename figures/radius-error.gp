@@ -29,7 +29,7 @@ unset label; unset arrow
 set lmargin screen 0.60; set rmargin screen 0.985
 set xrange [0.004:0.12]; set logscale xy; set xtics (".005" 0.005, ".01" 0.01, ".02" 0.02, ".05" 0.05, ".1" 0.1); unset mxtics
 set yrange [2:30]; set ytics (2, 3, 5, 7, 10, 15, 20, 30); unset mytics
-set xlabel "spread $s$" offset 0,0.6; set label 10 "height of the peak" at screen 0.532,graph 0.5 center rotate
+set xlabel "spread $s$" offset 0,0.6; set label 10 "height of the peak" at screen 0.525,graph 0.5 center rotate
 set label 1 ink(2, "$\\bullet$ measured") at graph 0.04,0.42
 set label 2 ink(1, "equal, smeared") at graph 0.04,0.31
 set label 3 ink(7, "exponential, smeared") at graph 0.04,0.20
@@ -49,7 +49,7 @@ plot rows("limit_R") using "at":"value" with lines lt 8 lw 1.4, rows("model_R") 
 unset label; unset arrow; unset logscale x; set format y "%g"
 set lmargin screen 0.60; set rmargin screen 0.985
 set xrange [-10:10]; set xtics 5; set mxtics 5; set yrange [-100:50]; set ytics 20; set mytics 2; set format y "$%g$"; set format x "$%g$"
-set xlabel "error of the radius, per cent" offset 0,0.6; set label 10 "change, per cent" at screen 0.518,graph 0.5 center rotate
+set xlabel "error of the radius, per cent" offset 0,0.6; set label 10 "change, per cent" at screen 0.505,graph 0.5 center rotate
 set arrow 1 from 0,-100 to 0,50 nohead lt 8 dt 3 back
 set label 1 "spread" at 3.6,45
 do for [i = 2:6] { set label 1 + i ink(int(word(inks, i)), word(names, i)) at 8.2,45 - 9*(i - 2) }
