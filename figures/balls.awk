@@ -12,6 +12,7 @@ BEGIN {
   if (NR == 1 || y[NR] + r[NR] > high) high = y[NR] + r[NR]
 }
 END {
+  if (!NR) exit
   print "window", left, low, right, high
   for (i = 1; i <= NR; i++) {
     level = int(levels * (depth[i] - depth[1]) / (depth[NR] - depth[1] + 1e-9)); looks[i] = "B" name[i] "x" level
