@@ -87,6 +87,10 @@ gaps() {
     awk -F'\t' -f figures/seen.awk | cut -f1 | sort -g | uniq -c | awk '{ printf "%s ", $2 }'
 }
 tell 'what shows through a gap is kept, what is covered is not' is '50 100 ' gaps
+# slit X Y: between two discs, along y or x
+slit() { printf '%s\n' "100 -$1 -$2 1" "100 $1 $2 1" '50 0 0 0.05' "40 $1 $2 0.5" | tr ' ' '\t' | awk -F'\t' -f figures/seen.awk | cut -f1 | tr '\n' ' '; }
+tell 'and what shows through a slit of a fiftieth' is '100 100 50 ' slit 1.01 0
+tell 'and through one that lies' is '100 100 50 ' slit 0 1.01
 pack
 tell 'a pack without particles is no drawing' says 'nothing is drawn' figures/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0'
 sed -i 's/radius:R:1/diameter:R:1/' "$tmp/pack.xyz"; echo 'a 1 1 1 1' >> "$tmp/pack.xyz"
