@@ -27,7 +27,7 @@ WEB      := src.nw $(CHAPTERS:%=src/%.nw)
 MODULES  := $(shell grep -l '^<<\[\[[a-z_]*\.c\]\]>>=' $(CHAPTERS:%=src/%.nw) | \
               sed 's|src/\(.*\)\.nw|\1|')
 SCENES   := $(patsubst figures/%.scene,%,$(sort $(wildcard figures/*.scene)))
-FIGURES  := $(filter-out style,$(patsubst figures/%.gp,%,$(sort $(wildcard figures/*.gp))))
+FIGURES  := $(filter-out style,$(basename $(notdir $(sort $(wildcard figures/*.gp figures/*.sh)))))
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
@@ -196,18 +196,28 @@ $(B)/hard.tsv: tests/hard tests/hard.c $(PRINTS) $(B)/plain/randpack.c | $(B)/ha
 
 # ---------------------------------------------------------------- figures
 # The scenes that a figure reads stand in its line `# data: ...`.
-$(B)/figures/%.d: figures/%.gp
+define depend
 	@mkdir -p $(@D)
 	@{ printf '$(B)/figures/$*.tex:'; sed -n 's/^# data://p' $< | tr ' ' '\n' | \
 	  sed -n '/\//{s|^| |p;b};s|.\+| $(B)/data/&/summary.tsv|p' | tr -d '\n'; echo; } | cpif $@
 	@touch $@
+endef
+$(B)/figures/%.d: figures/%.gp
+	$(depend)
+$(B)/figures/%.d: figures/%.sh
+	$(depend)
 ifneq ($(filter help deps clean install bench build lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
 -include $(FIGURES:%=$(B)/figures/%.d)
 endif
-$(B)/figures/%.tex: figures/%.gp figures/style.gp $(wildcard figures/*.awk)
+# Plots by gnuplot, checked as they are drawn; drawings of packs by their scripts.
+$(B)/figures/%.tex: figures/%.gp figures/style.gp figures/draw $(wildcard figures/*.awk)
 	@echo '  draw $*'
 	@mkdir -p $(@D)
-	@gnuplot -e "name='$*'; out='$@'" figures/style.gp $<
+	@figures/draw $< $@
+$(B)/figures/%.tex: figures/%.sh figures/balls $(wildcard figures/*.awk)
+	@echo '  draw $*'
+	@mkdir -p $(@D)
+	@$< > $@
 
 $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 	@awk -f figures/map.awk $(WEB) $(B)/plain/*.[ch] | cpif $@
