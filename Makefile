@@ -27,7 +27,8 @@ WEB      := src.nw $(CHAPTERS:%=src/%.nw)
 MODULES  := $(shell grep -l '^<<\[\[[a-z_]*\.c\]\]>>=' $(CHAPTERS:%=src/%.nw) | \
               sed 's|src/\(.*\)\.nw|\1|')
 SCENES   := $(patsubst figures/%.scene,%,$(sort $(wildcard figures/*.scene)))
-FIGURES  := $(filter-out style,$(basename $(notdir $(sort $(wildcard figures/*.gp figures/*.sh)))))
+DRAWINGS := $(filter-out figures/style.gp,$(sort $(wildcard figures/*.gp figures/*.sh)))
+FIGURES  := $(basename $(notdir $(DRAWINGS)))
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
@@ -232,11 +233,11 @@ $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(SUMMARIES) > $@
 # Which figures are recorded, and how much in all.
-$(B)/paper/recorded.tex: paper/recorded.awk $(WEB) $(FIGURES:%=figures/%.gp) $(B)/data/seconds/summary.tsv Makefile
+$(B)/paper/recorded.tex: paper/recorded.awk $(WEB) $(DRAWINGS) $(B)/data/seconds/summary.tsv Makefile
 	@mkdir -p $(@D)
 	@awk -v recorded='$(RECORDED)' -v runs=$(words $(ATLAS)) -v draft=$(DRAFT) \
 	  -v other="$$(awk -F'\t' '$$1 == "other_code" { print $$2 + 0 }' $(B)/data/seconds/summary.tsv)" \
-	  -f $< $(FIGURES:%=figures/%.gp) $(WEB) > $@
+	  -f $< $(DRAWINGS) $(WEB) > $@
 # Claims of the sources, and our own controls, judged by one rule.
 $(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
 	@awk -v draft=$(DRAFT) -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
