@@ -28,27 +28,31 @@ MODULES  := $(shell grep -l '^<<\[\[[a-z_]*\.c\]\]>>=' $(CHAPTERS:%=src/%.nw) | 
               sed 's|src/\(.*\)\.nw|\1|')
 ENTRIES  := $(shell sed -n 's/^<<\[\[\([a-z_]*_entry\)\.c\]\]>>=/\1/p' $(CHAPTERS:%=src/%.nw) | sort -u)
 SCENES   := $(patsubst figures/%.scene,%,$(sort $(wildcard figures/*.scene)))
-FIGURES  := $(filter-out style,$(patsubst figures/%.gp,%,$(sort $(wildcard figures/*.gp))))
+DRAWINGS := $(filter-out figures/style.gp,$(sort $(wildcard figures/*.gp figures/*.sh)))
+FIGURES  := $(basename $(notdir $(DRAWINGS)))
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
+ifeq ($(origin CC),default)
 CC       := gcc
-CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno -fopenmp \
-            -ffile-prefix-map=$(CURDIR)=.
-WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Werror
+endif
+CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno \
+            -fno-trapping-math -fopenmp -ffile-prefix-map=$(CURDIR)=.
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(WERROR)
 LIBS     := -lconfig -lgsl -lgslcblas -lm
+# Without vectors, of which clang would complain.
 SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
-            -fno-sanitize-recover=undefined
+            -fno-sanitize-recover=undefined -Wno-pass-failed
 B        := build
 
-.PHONY: FRESH help deps build try paper draft data atlas check check-slow lint mutants bench install clean
+.PHONY: FRESH COMPILER help deps build try paper draft data atlas check check-slow programs lint mutants bench install clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
 
 # ---------------------------------------------------------------- packages
 INSTALL = apt-get install -y --no-install-recommends $(PACKAGES)
-deps: ## install the packages (Debian 12, as root or with sudo)
+deps: ## install the packages (Debian 12 or 13, as root or with sudo)
 	@state=$$(dpkg-query -W -f='$${Status}\n' $(PACKAGES) 2>&1 || true); \
 	if grep -qv '^install ok installed$$' <<<"$$state"; then \
 	  if ! command -v apt-get >/dev/null || [ ! -e /etc/debian_version ]; then \
@@ -85,18 +89,21 @@ $(B)/c/%_entry.c $(B)/plain/%_entry.c: $(B)/c/%.stamp ;
 
 # ---------------------------------------------------------------- fingerprints
 # Of the code without comments, blank lines, #line and words for people, W("..."), so that prose and help are free.
-PRINT = sed -E 's/\bW\(("([^"\\]|\\.)*"[[:space:]]*)+\)//g'
-$(B)/print/%: $(B)/plain/%.c $(B)/plain/%.h
+PRINT = perl tests/bare.pl | tr '\n' ' ' | sed -E 's/\bW\((("([^"\\]|\\.)*")[[:space:]]*)+\)//g' | sha256sum | cut -c1-16
+$(B)/print/%: tests/bare.pl $(B)/plain/%.h $(B)/plain/%.c
 	@mkdir -p $(@D)
-	@cat $(B)/plain/$*.h $(B)/plain/$*.c | gcc -fpreprocessed -dD -E -P - | tr '\n' ' ' | $(PRINT) | \
-	  sha256sum | cut -c1-16 | cpif $@
-$(B)/print/%_entry: $(B)/plain/%_entry.c
+	@cat $(B)/plain/$*.h $(B)/plain/$*.c | $(PRINT) | cpif $@
+$(B)/print/%_entry: tests/bare.pl $(B)/plain/%_entry.c
 	@mkdir -p $(@D)
-	@cat $< | gcc -fpreprocessed -dD -E -P - | tr '\n' ' ' | $(PRINT) | sha256sum | cut -c1-16 | cpif $@
-$(B)/print/flags: Makefile
+	@cat $(B)/plain/$*_entry.c | $(PRINT) | cpif $@
+# Looked at each time, so that another compiler compiles everything anew; here one that is too old is told so.
+$(B)/print/flags: COMPILER
 	@mkdir -p $(@D)
-	@printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$($(CC) -dumpfullversion)" | \
-	  sha256sum | cut -c1-16 | cpif $@
+	@version=$$(printf '%s\n' '#ifdef __has_builtin' '#if __has_builtin(__builtin_shufflevector)' __VERSION__ \
+	  '#endif' '#endif' | $(CC) -E -P - | tr -d '\n'); [ -n "$$version" ] || { echo \
+	  '$(CC) cannot compile this: gcc 12, clang 14 or a newer one is needed, as in make CC=gcc-12 build'; exit 1; }; \
+	printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$version" | sha256sum | cut -c1-16 | cpif $@
+COMPILER: ;
 PRINTS := $(MODULES:%=$(B)/print/%) $(ENTRIES:%=$(B)/print/%) $(B)/print/flags
 $(B)/c/prints.stamp: $(PRINTS)
 	@for p in $(PRINTS); do printf '{"%s", "%s"},\n' "$${p##*/}" "$$(<$$p)"; done | \
@@ -111,14 +118,14 @@ INC := $(B)/c/prints.inc $(B)/c/includes.inc
 
 # ---------------------------------------------------------------- compiling
 OBJECTS := $(MODULES:%=$(B)/obj/%.o) $(ENTRIES:%=$(B)/obj/%.o)
-$(B)/obj/%.o: $(B)/c/%.c | $(STAMPS) $(INC)
+$(B)/obj/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(INC)
 	@mkdir -p $(@D)
 	@echo '  compile $*'
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/%.o: $(B)/c/%.c | $(STAMPS) $(INC)
+$(B)/san/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(INC)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/ref_%.o: tests/ref_%.c | $(STAMPS)
+$(B)/san/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 -include $(wildcard $(B)/obj/*.d $(B)/san/*.d)
@@ -160,6 +167,15 @@ $(B)/data/%/summary.tsv: $(B)/data/%.key
 $(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/summary.tsv
 	@mkdir -p $(@D)
 	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
+# What some claims need that no single quantity says.
+$(B)/data/claimed/summary.tsv: paper/claimed.awk $(B)/data/theory-curves/summary.tsv $(B)/data/first-peak/summary.tsv \
+  $(B)/data/bimodal/summary.tsv $(B)/data/gravity-discs/summary.tsv
+	@mkdir -p $(@D)
+	@cd $(B)/data && awk -f $(CURDIR)/$< theory-curves/theory.tsv {theory-curves,first-peak,bimodal,gravity-discs}/summary.tsv \
+	  first-peak/shaken.rdf@retry@{0.575,0.6}.tsv bimodal/shaken.partial.{L-L,L-S,S-S}@retry@{3,60}.tsv > claimed/summary.tsv
+$(B)/data/touch/summary.tsv: paper/touch.awk $(B)/data/pack-grown/summary.tsv $(B)/data/gravity-touch/summary.tsv
+	@mkdir -p $(@D)
+	@awk -f $< $(B)/data/{pack-grown,gravity-touch}/pack-?.xyz > $@
 # What the recorded runs have taken.
 $(B)/data/atlas/summary.tsv: $(ATLAS:%=data/atlas/%/record)
 	@mkdir -p $(@D)
@@ -194,18 +210,28 @@ $(B)/hard.tsv: tests/hard tests/hard.c $(PRINTS) $(B)/plain/randpack.c | $(B)/ha
 
 # ---------------------------------------------------------------- figures
 # The scenes that a figure reads stand in its line `# data: ...`.
-$(B)/figures/%.d: figures/%.gp
+define depend
 	@mkdir -p $(@D)
 	@{ printf '$(B)/figures/$*.tex:'; sed -n 's/^# data://p' $< | tr ' ' '\n' | \
 	  sed -n '/\//{s|^| |p;b};s|.\+| $(B)/data/&/summary.tsv|p' | tr -d '\n'; echo; } | cpif $@
 	@touch $@
+endef
+$(B)/figures/%.d: figures/%.gp
+	$(depend)
+$(B)/figures/%.d: figures/%.sh
+	$(depend)
 ifneq ($(filter help deps clean install bench build try lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
 -include $(FIGURES:%=$(B)/figures/%.d)
 endif
-$(B)/figures/%.tex: figures/%.gp figures/style.gp $(wildcard figures/*.awk)
+# Plots by gnuplot, checked as they are drawn; drawings of packs by their scripts.
+$(B)/figures/%.tex: figures/%.gp figures/style.gp figures/draw $(wildcard figures/*.awk)
 	@echo '  draw $*'
 	@mkdir -p $(@D)
-	@gnuplot -e "name='$*'; out='$@'" figures/style.gp $<
+	@figures/draw $< $@
+$(B)/figures/%.tex: figures/%.sh figures/balls $(wildcard figures/*.awk)
+	@echo '  draw $*'
+	@mkdir -p $(@D)
+	@$< > $@
 
 $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 	@awk -f figures/map.awk $(WEB) $(B)/plain/*.[ch] | cpif $@
@@ -215,16 +241,16 @@ $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 RECORDED := $(ATLAS) propellant-optimum atlas seconds
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
   $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv $(B)/data/radius-read/summary.tsv \
-  $(B)/data/atlas/summary.tsv
+  $(B)/data/atlas/summary.tsv $(B)/data/claimed/summary.tsv $(B)/data/touch/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(SUMMARIES) > $@
 # Which figures are recorded, and how much in all.
-$(B)/paper/recorded.tex: paper/recorded.awk $(WEB) $(FIGURES:%=figures/%.gp) $(B)/data/seconds/summary.tsv Makefile
+$(B)/paper/recorded.tex: paper/recorded.awk $(WEB) $(DRAWINGS) $(B)/data/seconds/summary.tsv Makefile
 	@mkdir -p $(@D)
 	@awk -v recorded='$(RECORDED)' -v runs=$(words $(ATLAS)) -v draft=$(DRAFT) \
 	  -v other="$$(awk -F'\t' '$$1 == "other_code" { print $$2 + 0 }' $(B)/data/seconds/summary.tsv)" \
-	  -f $< $(FIGURES:%=figures/%.gp) $(WEB) > $@
+	  -f $< $(DRAWINGS) $(WEB) > $@
 # Claims of the sources, and our own controls, judged by one rule.
 $(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
 	@awk -v draft=$(DRAFT) -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
@@ -270,10 +296,19 @@ check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 
 	@tests/run $(sort $(wildcard tests/check-*.sh)) $(UNITS:%=$(B)/test/%)
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
-check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench ## the long tests, under 45 minutes
-	@tests/run $(sort $(wildcard tests/slow-*.sh))
+# The same programs of the plain build.
+$(B)/obj/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
+	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
+$(B)/unit/%: tests/test_%.c $(OBJECTS) $(REFERENCES:tests/%.c=$(B)/obj/%.o) $(wildcard tests/*.h)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c -Itests $(filter-out %.h,$^) $(LIBS) -o $@
+check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench $(B)/hard $(UNITS:%=$(B)/unit/%) ## the long tests, under 45 minutes
+	@CC='$(CC)' tests/run $(sort $(wildcard tests/slow-*.sh))
+# Warnings are errors here and in CI only, in a build of its own.
+programs: $(B)/bin/randpack $(B)/hard $(B)/slow $(B)/bench $(UNITS:%=$(B)/test/%)
 lint: $(STAMPS) $(INC) $(B)/bench ## form: the web, the warnings, the layout, the prose
-	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)' '$(ENTRIES)'
+	@$(MAKE) --no-print-directory B=$(B)/lint WERROR=-Werror programs
+	@tests/lint '$(WEB)' '$(MODULES)' '$(ENTRIES)'
 mutants: $(STAMPS) $(INC) ## planted errors, each caught by a named test
 	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES) $(ENTRIES)' '$(LIBS)'
 $(B)/bench: tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS)

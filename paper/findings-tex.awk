@@ -4,7 +4,7 @@ BEGIN {
   FS = "\t"
   ways = split("holds,does not hold,undecided,untested", way, ",")
   many = split(recorded, name, " "); for (i = 1; i <= many; i++) sign[name[i]] = 1
-  print "{\\footnotesize\\setlength\\tabcolsep{3pt}\\begin{longtable}{@{}lp{2.9pc}p{12.6pc}p{4.3pc}p{4.9pc}p{7.6pc}@{}}\\toprule"
+  print "{\\footnotesize\\setlength\\tabcolsep{3pt}\\begin{longtable}{@{}lp{2.8pc}p{11.5pc}p{3.9pc}p{4.6pc}p{6.6pc}@{}}\\toprule"
   print "no. & place & claim; \\texttt{scene@quantity} & claimed & measured & verdict\\\\\\midrule\\endhead\\bottomrule\\endfoot"
 }
 # A number with the error in its last digits; rounded here and nowhere before.
@@ -19,10 +19,11 @@ function number(v, e,   d, m) {
   if (m ~ /e/) { sub(/e\+?/, "\\cdot10^{", m); sub(/\{-0*/, "{-", m); m = m "}" }
   return "$" m "$"
 }
+function decimal(t) { t = sprintf("%.9f", t); sub(/\.?0+$/, "", t); return t }
 # What the claim allows: printed as the source prints it.
 function allowed(claimed, tolerance,   t) {
   t = claimed; sub(/ to /, "$ to $", t); sub(/^about /, "\\text{about }", t)
-  return "$" t "$" (tolerance == "-" || tolerance == 0 ? "" : " $\\pm" (tolerance + 0) "$")
+  return "$" t "$" (tolerance == "-" || tolerance == 0 ? "" : " $\\pm" decimal(tolerance) "$")
 }
 function code(s) { gsub(/[@._\/-]/, "&\\allowbreak{}", s); gsub(/_/, "\\_", s); gsub(/\^/, "\\^{}", s); return "\\texttt{\\scriptsize " s "}" }
 function dagger(s,   part, k, n) {

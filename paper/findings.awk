@@ -1,7 +1,8 @@
 # paper/findings.awk: judge claims, of data/claims.tsv or data/controls.tsv, by the summaries of the runs. Each rule is an
 # interval of the values that the claim allows:
 #   ~ T         a printed number: T to half a unit of its last digit as typed; "~ about T": to a whole unit
-#   in LOW HIGH a printed range; same: a ratio that is 1 to 0.02; < T, > T: an inequality
+#   in LOW HIGH a printed range, "in about LOW HIGH": a whole unit wider at both ends; same: a ratio that is 1 to 0.02;
+#   < T, > T    an inequality
 #   = T         a statement of mathematics, of a quantity without error: T to a millionth
 # The measurement is the interval of four standard errors to either side. The claim holds if that lies inside the claim's
 # interval, does not hold if the two have no point in common, and is undecided otherwise. A measured "-" is untested.
@@ -42,7 +43,10 @@ function claim(rule,   c, parts) {
     if (parts == 3) claimed = "about " claimed
   } else if (c[1] == "same") { claimed = 1; tolerance = alike }
   else if (c[1] == "=") { claimed = c[2]; tolerance = 0 }
-  else if (c[1] == "in") { low = c[2]; high = c[3]; claimed = c[2] " to " c[3]; tolerance = 0; return }
+  else if (c[1] == "in") {
+    tolerance = parts == 4 ? unit(c[3]) : 0; low = c[parts - 1] - tolerance; high = c[parts] + tolerance
+    claimed = (parts == 4 ? "about " : "") c[parts - 1] " to " c[parts]; return
+  }
   else if (c[1] == "<") { high = c[2]; claimed = rule; return }
   else if (c[1] == ">") { low = c[2]; claimed = rule; return }
   else wrong("no such rule: " rule)
