@@ -84,6 +84,7 @@ $(B)/c/randpack.stamp: src.nw
 	@notangle -R'[[randpack.c]]' $< | cpif $(B)/plain/randpack.c
 	@touch $@
 STAMPS := $(MODULES:%=$(B)/c/%.stamp) $(B)/c/randpack.stamp
+$(B)/c/randpack.c $(B)/plain/randpack.c: $(B)/c/randpack.stamp ;
 $(B)/c/%.c $(B)/c/%.h $(B)/plain/%.c $(B)/plain/%.h: $(B)/c/%.stamp ;
 $(B)/c/%_entry.c $(B)/plain/%_entry.c: $(B)/c/%.stamp ;
 

@@ -18,7 +18,7 @@ do for [p = 1:3] { do for [i = 1:3] {
   stats file using (on(a) > from && on(a) < to ? column("g_err")**2 : NaN) nooutput
   noise[3*p - 3 + i] = sqrt(STATS_mean)
 } }
-quantity(q, c) = c == 2 ? known("bimodal", q) : known_err("bimodal", q)
+v = "value"; e = "standard_error"
 unset key
 set multiplot
 do for [j = 1:2] {
@@ -57,12 +57,12 @@ unset label; unset logscale
 set lmargin screen 0.62; set rmargin screen 0.985
 set xrange [-3:76]; set xtics ("0" 0, "3" 20, "30" 40, "60" 60); set format xy "$%g$"; set xlabel "$M$" offset 0,0.7
 set yrange [-36:9]; set ytics 10; set label 9 "change of first peak, \\%" at screen 0.54,graph 0.5 center rotate
-c(rule, pair, M, k) = M == 0 ? 0 : 100*quantity(sprintf("change.contact_first_bin.%s@%s@%d", pair, rule, M), k)
+c(rule, pair, M, k) = M == 0 ? 0 : 100*picked("bimodal", sprintf("change.contact_first_bin.%s@%s@%d", pair, rule, M), k)
 array M[4] = [0, 3, 30, 60]
 array at_[4] = [0, 20, 40, 60]
-set label 1 ink(1, "1--1") at 64,c("retry", "L-L", 60, 2); set label 2 ink(3, "1--2") at 64,c("retry", "L-S", 60, 2) + 1.2; set label 3 ink(2, "2--2") at 64,c("retry", "S-S", 60, 2) - 1.5
+set label 1 ink(1, "1--1") at 64,c("retry", "L-L", 60, v); set label 2 ink(3, "1--2") at 64,c("retry", "L-S", 60, v) + 1.2; set label 3 ink(2, "2--2") at 64,c("retry", "S-S", 60, v) - 1.5
 set label 4 "$\\Diamond$ B, $g_{11}$" at 24,-16.5; set label 5 ink(8, "Metropolis: open") at 5,6.5
-plot 0 with lines lt 8 lw 0.5, for [i = 1:4] for [p = 1:3] "+" using (at_[i] + 1.2*(p - 2)):(c("retry", word("L-L L-S S-S", p), M[i], 2)):(c("retry", word("L-L L-S S-S", p), M[i], 3)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("7 9 5", p)) ps 0.6, \
-  for [i = 2:4] for [p = 1:3] "+" using (at_[i] + 1.2*(p - 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], 3)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("6 8 4", p)) ps 0.6, \
+plot 0 with lines lt 8 lw 0.5, for [i = 1:4] for [p = 1:3] "+" using (at_[i] + 1.2*(p - 2)):(c("retry", word("L-L L-S S-S", p), M[i], v)):(c("retry", word("L-L L-S S-S", p), M[i], e)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("7 9 5", p)) ps 0.6, \
+  for [i = 2:4] for [p = 1:3] "+" using (at_[i] + 1.2*(p - 2)):(c("metropolis", word("L-L L-S S-S", p), M[i], v)):(c("metropolis", word("L-L L-S S-S", p), M[i], e)) every ::0::0 with yerrorbars lt int(word("1 3 2", p)) pt int(word("6 8 4", p)) ps 0.6, \
   "+" using (60):(-25) every ::0::0 with points lt 7 pt 12 ps 1.1, "+" using (40):(-25) every ::0::0 with points lt 7 pt 12 ps 1.1, "+" using (20):(100*(1.12*0.75 - 1)) every ::0::0 with points lt 7 pt 12 ps 1.1
 unset multiplot

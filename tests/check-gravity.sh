@@ -148,4 +148,19 @@ mixed() { run two mixed --set 'species=({name="a";radius=1.0;number=300;},{name=
   awk '$1 == "a" { if ($5 != 1) bad++ } $1 == "b" { n++; if ($5 < 1.2 || $5 > 4) bad++; if ($5 != last) kinds++; last = $5 } END { exit !(n == 50 && !bad && kinds > 40) }' "$tmp/mixed/pack-0.xyz"; }
 tell 'some of one radius and some by a law grow together' mixed
 tell 'what comes after the letter is parted all the same' rest
+# Combinations of a sweep that have the same base are what they are alone; so are those that have not.
+kin() { # kin KEY VALUE VALUE KEY VALUE VALUE
+  local set=(--set save=false --set 'species.[0].number=500')
+  run two kin "${set[@]}" --set "sweep=({key=\"$1\";values=($2,$3);},{key=\"$4\";values=($5,$6);})" || return 1
+  local a b at
+  for a in "$2" "$3"; do for b in "$5" "$6"; do
+    at=$(tr -d '"' <<<"@$a@$b")
+    run two alone "${set[@]}" --set "$1=$a" --set "$4=$b" || return 1
+    awk -F'\t' -v at="$at" '/^(#|quantity)/ { next } FNR == NR { alone[$1] = $2; n++; next }
+      sub(at "$", "", $1) && $1 in alone { both++; other += alone[$1] != $2 } END { exit !(n > 20 && both == n && !other) }' \
+      "$tmp/alone/summary.tsv" "$tmp/kin/summary.tsv" || { echo "$at is not what it is alone"; return 1; }
+  done; done
+}
+tell 'a base serves all that are added to it or marked in it' kin 'species.[1].grow' '"add"' '"mark"' 'species.[1].number' 4 8
+tell 'who are grown otherwise have a base of their own' kin make.step 0.3 0.9 'species.[1].number' 4 8
 exit $failed

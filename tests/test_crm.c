@@ -327,7 +327,7 @@ static void same_bytes(int dim) {
     motion_stir(engine->motion, engine->order, &rng);
     engine->motion->size = 0;
     engine->motion->growth = .05;
-    for (int w = 0; w < 6; w++) {
+    for (int w = 0; w < as_many(3, 6); w++) {
       engine_sync(engine, engine->now, 1);
       engine_run(engine, (1 - engine->motion->size) / .05, 1000);
     }
@@ -649,7 +649,7 @@ int main(void) {
   lands(3, all, cube, 0, 1, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
   lands(3, all, cube, 0, 1, .575, CRM_LITERAL, 1, MOTION_EQUAL);
   lands(2, all, cube, 0, 1, .80, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
-  lands(3, 42, cube, 458, .313, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
+  lands(3, all / 20, cube, all / 2, .313, .60, CRM_ISOTHERMAL, .05, MOTION_EQUAL);
   lands(3, 3, cube, 300, .1, .55, CRM_ISOTHERMAL, .1, MOTION_EQUAL);
   lands(3, 3, cube, 300, .1, .55, CRM_LITERAL, .1, MOTION_VOLUME);
   lands(2, 20, cube, all, .1, .75, CRM_ISOTHERMAL, .1, MOTION_EQUAL);
@@ -669,10 +669,10 @@ int main(void) {
   fails(100, .70, .003, 0, "budget", .40, .30);
   fails(32, .70, 3, 1e300, "jammed", .40, .30);
   size_t fluid = (size_t)as_many(200, 500);
-  pressure(.10, fluid, 40);
+  pressure(.10, fluid, as_many(15, 40));
   if (fluid == 500)
     pressure(.30, fluid, 40);
-  pressure(.45, fluid, 80);
+  pressure(.45, fluid, as_many(40, 80));
   reversal(5, .2, 20);
   reversal(8, .3, 20);
   same_bytes(3);
