@@ -185,4 +185,15 @@ if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
   shown() { script -qec "$randpack run $tmp/deep.scene --set realizations=3 --out $tmp/p" /dev/null < /dev/null | grep -q '3 of 3'; }
   tell 'progress on a terminal' shown
 fi
+# A first pack, as the README shows it.
+tried() {
+  examples/try.sh "$randpack" "$tmp/try" > "$tmp/out" 2>&1 && [ -s "$tmp/try/cut.png" ] || { cat "$tmp/out"; return 1; }
+  local shown=0 quantity value error
+  while read -r quantity value error; do
+    grep -qE "^$quantity +$value +$error$" "$tmp/out" || { echo "$quantity is not $value $error"; return 1; }
+    shown=$((shown + 1))
+  done < <(sed -n '/^which makes `examples/,/^with a standard/p' README.md | grep '^    ')
+  [ $shown = 3 ]
+}
+tell 'make try shows what the README shows' tried
 exit $failed
