@@ -6,7 +6,7 @@
 #   box    COLOUR x0 y0 x1 y1
 #   clip   x0 y0 x1 y1             nothing outside this is drawn, until `clip` alone
 #   ball   NAME x y r              what a row `light` has described before
-#   light  NAME RIM TOP            a ball of colour RIM, lit from the upper left, where it is TOP
+#   light  NAME RIM TOP            a ball of colour RIM with a darker edge, lit from the upper left, where it is TOP
 #   words  x y WORDS               in the middle there; `words x y WORDS left` begins there
 # A colour is rrggbb. Numbers are rounded to a hundredth of a point, so the bytes are the same on all machines.
 function number(v, places,   s) {
@@ -15,8 +15,9 @@ function number(v, places,   s) {
 }
 function n(v) { return number(v, 2) }
 function at(x, y) { return n((x - x0) * scale) " " n((y - y0) * scale) }
-function part(c, i) { return number((16 * (index(digits, substr(c, i, 1)) - 1) + index(digits, substr(c, i + 1, 1)) - 1) / 255, 3) }
-function rgb(c) { return part(c, 1) " " part(c, 3) " " part(c, 5) }
+function part(c, i, f) { return number(f * (16 * (index(digits, substr(c, i, 1)) - 1) + index(digits, substr(c, i + 1, 1)) - 1) / 255, 3) }
+function darker(c, f) { return part(c, 1, f) " " part(c, 3, f) " " part(c, 5, f) }
+function rgb(c) { return darker(c, 1) }
 function put(s) { if (rows++ % 50 == 0) printf "%s\\pdfliteral{%s", (rows > 1 ? "}%\n" : ""), s; else printf "\n%s", s }
 function pen(c, w) {
   if (c != ink) put(rgb(ink = c) " RG")
@@ -40,7 +41,7 @@ $1 == "light" {
   print "\\immediate\\pdfobj{<</ShadingType 3/ColorSpace/DeviceRGB/Coords[0 0 .97 -.33 .36 .12]/Extend[false true]"
   print "/Function<</FunctionType 2/Domain[0 1]/N 2/C0[" rgb($3) "]/C1[" rgb($4) "]>>>>}\\edef\\light{\\the\\pdflastobj}%"
   print "\\immediate\\pdfobj stream attr{/Type/XObject/Subtype/Form/BBox[-1 -1 1 1]/Resources<</Shading<</L \\light\\space 0 R>>>>}"
-  print "{" rgb($3) " RG 2 w 1 J 0 0 m 0 0 l S /L sh}\\edef\\balls{\\balls/" $2 " \\the\\pdflastobj\\space 0 R}%"
+  print "{" darker($3, 0.8) " RG 2 w 1 J 0 0 m 0 0 l S /L sh}\\edef\\balls{\\balls/" $2 " \\the\\pdflastobj\\space 0 R}%"
   next
 }
 $1 == "words" { said = said sprintf("\\put(%s,%s){\\makebox(0,0)%s{%s}}%%\n", n(($2 - x0) * scale), n(($3 - y0) * scale), ($5 == "left" ? "[l]" : ""), $4); next }

@@ -17,12 +17,12 @@ rise(name) = 100*over(name) - 100
 rise_err(name) = 100*over_err(name)
 # and the first less the second, in standard errors
 apart(name) = (column(name) - column(name."_2"))/sqrt(column(name."_err")**2 + column(name."_err_2")**2)
-set datafile columnheaders
 # The theory of one size: the column Z or g(2+) of an equation of state; all of them at the fractions of a list, in a file.
 theory(list) = sprintf("build/bin/randpack theory contact --phi %s | sed 's/^# //'", list)
 equation(name, phi, c) = real(system(sprintf("%s | awk -f figures/columns.awk 'get=%s' 'where=equation=%s' -", theory(sprintf("%.12g", phi)), c, name)))
 set encoding utf8
 set datafile separator tab
+set datafile columnheaders
 set datafile missing "nan"
 set datafile commentschars "#"
 set border 3 linewidth 0.8
