@@ -27,27 +27,31 @@ WEB      := src.nw $(CHAPTERS:%=src/%.nw)
 MODULES  := $(shell grep -l '^<<\[\[[a-z_]*\.c\]\]>>=' $(CHAPTERS:%=src/%.nw) | \
               sed 's|src/\(.*\)\.nw|\1|')
 SCENES   := $(patsubst figures/%.scene,%,$(sort $(wildcard figures/*.scene)))
-FIGURES  := $(filter-out style,$(patsubst figures/%.gp,%,$(sort $(wildcard figures/*.gp))))
+DRAWINGS := $(filter-out figures/style.gp,$(sort $(wildcard figures/*.gp figures/*.sh)))
+FIGURES  := $(basename $(notdir $(DRAWINGS)))
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
+ifeq ($(origin CC),default)
 CC       := gcc
-CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno -fopenmp \
-            -ffile-prefix-map=$(CURDIR)=.
-WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Werror
+endif
+CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno \
+            -fno-trapping-math -fopenmp -ffile-prefix-map=$(CURDIR)=.
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(WERROR)
 LIBS     := -lconfig -lgsl -lgslcblas -lm
+# Without vectors, of which clang would complain.
 SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
-            -fno-sanitize-recover=undefined
+            -fno-sanitize-recover=undefined -Wno-pass-failed
 B        := build
 
-.PHONY: FRESH help deps build paper data atlas check check-slow lint mutants bench install clean
+.PHONY: FRESH COMPILER help deps build paper draft data atlas check check-slow programs lint mutants bench install clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
 
 # ---------------------------------------------------------------- packages
 INSTALL = apt-get install -y --no-install-recommends $(PACKAGES)
-deps: ## install the packages (Debian 12, as root or with sudo)
+deps: ## install the packages (Debian 12 or 13, as root or with sudo)
 	@state=$$(dpkg-query -W -f='$${Status}\n' $(PACKAGES) 2>&1 || true); \
 	if grep -qv '^install ok installed$$' <<<"$$state"; then \
 	  if ! command -v apt-get >/dev/null || [ ! -e /etc/debian_version ]; then \
@@ -79,18 +83,22 @@ $(B)/c/randpack.stamp: src.nw
 	@notangle -R'[[randpack.c]]' $< | cpif $(B)/plain/randpack.c
 	@touch $@
 STAMPS := $(MODULES:%=$(B)/c/%.stamp) $(B)/c/randpack.stamp
+$(B)/c/randpack.c $(B)/plain/randpack.c: $(B)/c/randpack.stamp ;
 $(B)/c/%.c $(B)/c/%.h $(B)/plain/%.c $(B)/plain/%.h: $(B)/c/%.stamp ;
 
 # ---------------------------------------------------------------- fingerprints
 # Of the code without comments, blank lines and #line, so that prose is free.
-$(B)/print/%: $(B)/plain/%.c $(B)/plain/%.h
+$(B)/print/%: tests/bare.pl $(B)/plain/%.h $(B)/plain/%.c
 	@mkdir -p $(@D)
-	@cat $(B)/plain/$*.h $(B)/plain/$*.c | gcc -fpreprocessed -dD -E -P - | \
-	  sha256sum | cut -c1-16 | cpif $@
-$(B)/print/flags: Makefile
+	@cat $(B)/plain/$*.h $(B)/plain/$*.c | perl $< | sha256sum | cut -c1-16 | cpif $@
+# Looked at each time, so that another compiler compiles everything anew; here one that is too old is told so.
+$(B)/print/flags: COMPILER
 	@mkdir -p $(@D)
-	@printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$($(CC) -dumpfullversion)" | \
-	  sha256sum | cut -c1-16 | cpif $@
+	@version=$$(printf '%s\n' '#ifdef __has_builtin' '#if __has_builtin(__builtin_shufflevector)' __VERSION__ \
+	  '#endif' '#endif' | $(CC) -E -P - | tr -d '\n'); [ -n "$$version" ] || { echo \
+	  '$(CC) cannot compile this: gcc 12, clang 14 or a newer one is needed, as in make CC=gcc-12 build'; exit 1; }; \
+	printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$version" | sha256sum | cut -c1-16 | cpif $@
+COMPILER: ;
 PRINTS := $(MODULES:%=$(B)/print/%) $(B)/print/flags
 $(B)/c/prints.stamp: $(PRINTS)
 	@for p in $(PRINTS); do printf '{"%s", "%s"},\n' "$${p##*/}" "$$(<$$p)"; done | \
@@ -100,14 +108,14 @@ $(B)/c/prints.inc: $(B)/c/prints.stamp ;
 
 # ---------------------------------------------------------------- compiling
 OBJECTS := $(MODULES:%=$(B)/obj/%.o)
-$(B)/obj/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+$(B)/obj/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(B)/c/prints.inc
 	@mkdir -p $(@D)
 	@echo '  compile $*'
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/%.o: $(B)/c/%.c | $(STAMPS) $(B)/c/prints.inc
+$(B)/san/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(B)/c/prints.inc
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/ref_%.o: tests/ref_%.c | $(STAMPS)
+$(B)/san/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 -include $(wildcard $(B)/obj/*.d $(B)/san/*.d)
@@ -117,6 +125,8 @@ $(B)/bin/randpack: $(B)/obj/randpack.o $(OBJECTS)
 build: $(B)/bin/randpack ## leave build/bin/randpack
 
 # ---------------------------------------------------------------- computing
+# What a command took, printed when it has ended.
+TIMED = TIMEFORMAT='  $(1) in %R s, %U s of the processor'; time
 # A scene runs again when its text or the fingerprint of the modules that it
 # uses has changed, not when the program has merely been linked again.
 $(B)/data/%.checked: figures/%.scene $(B)/bin/randpack
@@ -130,7 +140,7 @@ ATLAS := $(patsubst figures/%.scene,%,$(shell grep -lx '. atlas' figures/*.scene
 $(ATLAS:%=$(B)/data/%/summary.tsv): $(B)/data/%/summary.tsv: $(B)/data/%.key data/atlas/%/record tests/atlas.sh $(if $(FRESH),FRESH)
 	@echo '  verify $*'
 	@[ -z "$(FRESH)" ] || FRESH=1 tests/atlas.sh $*
-	@tests/atlas.sh --probe $*
+	@$(if $(DRAFT),,$(call TIMED,verified $*) tests/atlas.sh --probe $*)
 	@rm -rf $(@D) && cp -r data/atlas/$* $(@D)
 	@touch $@
 data/atlas/%/record:
@@ -138,12 +148,22 @@ data/atlas/%/record:
 $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@echo '  compute $*'
 	@rm -rf $(@D)
-	@$(B)/bin/randpack run figures/$*.scene --out $(@D)
+	@$(call TIMED,computed $*) $(B)/bin/randpack run figures/$*.scene --out $(@D) \
+	  $(if $(DRAFT),$$(paper/few figures/$*.scene $(DRAFT)))
 	@touch $@
 # The densest of a map: its rows, fitted.
 $(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/summary.tsv
 	@mkdir -p $(@D)
 	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
+# What some claims need that no single quantity says.
+$(B)/data/claimed/summary.tsv: paper/claimed.awk $(B)/data/theory-curves/summary.tsv $(B)/data/first-peak/summary.tsv \
+  $(B)/data/bimodal/summary.tsv $(B)/data/gravity-discs/summary.tsv
+	@mkdir -p $(@D)
+	@cd $(B)/data && awk -f $(CURDIR)/$< theory-curves/theory.tsv {theory-curves,first-peak,bimodal,gravity-discs}/summary.tsv \
+	  first-peak/shaken.rdf@retry@{0.575,0.6}.tsv bimodal/shaken.partial.{L-L,L-S,S-S}@retry@{3,60}.tsv > claimed/summary.tsv
+$(B)/data/touch/summary.tsv: paper/touch.awk $(B)/data/pack-grown/summary.tsv $(B)/data/gravity-touch/summary.tsv
+	@mkdir -p $(@D)
+	@awk -f $< $(B)/data/{pack-grown,gravity-touch}/pack-?.xyz > $@
 # What the recorded runs have taken.
 $(B)/data/atlas/summary.tsv: $(ATLAS:%=data/atlas/%/record)
 	@mkdir -p $(@D)
@@ -158,8 +178,9 @@ BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixt
   near motion events engine crm core field gravity coarse dilute shake chain theory flags
 $(B)/data/speed/summary.tsv: tests/bench.c $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'
-	@$(B)/bench ops $(@D)
-# A record of other code is no record: `make paper FRESH=1` makes a new one.
+	@$(call TIMED,computed speed) $(B)/bench ops $(@D)
+# Seconds that were recorded with other code, or by another compiler, are printed with a sign that says so; lint refuses
+# them. `make paper FRESH=1` records new ones.
 $(B)/data/seconds/summary.tsv: data/bench-seconds.tsv tests/bench.c $(BENCHED:%=$(B)/print/%) $(if $(FRESH),FRESH) | $(B)/bench
 	@[ -z "$(FRESH)" ] || tests/bench.sh
 	@$(B)/bench recorded $< $(@D)
@@ -173,38 +194,59 @@ $(B)/hard: tests/hard.c $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $^ $(LIBS) -o $@
 $(B)/hard.tsv: tests/hard tests/hard.c $(PRINTS) $(B)/plain/randpack.c | $(B)/hard $(B)/bin/randpack
 	@echo '  compute hard cases'
-	@tests/hard $@
+	@$(call TIMED,computed hard cases) tests/hard $@
 
 # ---------------------------------------------------------------- figures
 # The scenes that a figure reads stand in its line `# data: ...`.
-$(B)/figures/%.d: figures/%.gp
+define depend
 	@mkdir -p $(@D)
 	@{ printf '$(B)/figures/$*.tex:'; sed -n 's/^# data://p' $< | tr ' ' '\n' | \
 	  sed -n '/\//{s|^| |p;b};s|.\+| $(B)/data/&/summary.tsv|p' | tr -d '\n'; echo; } | cpif $@
 	@touch $@
+endef
+$(B)/figures/%.d: figures/%.gp
+	$(depend)
+$(B)/figures/%.d: figures/%.sh
+	$(depend)
 ifneq ($(filter help deps clean install bench build lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
 -include $(FIGURES:%=$(B)/figures/%.d)
 endif
-$(B)/figures/%.tex: figures/%.gp figures/style.gp $(wildcard figures/*.awk)
+# Plots by gnuplot, checked as they are drawn; drawings of packs by their scripts.
+$(B)/figures/%.tex: figures/%.gp figures/style.gp figures/draw $(wildcard figures/*.awk)
 	@echo '  draw $*'
 	@mkdir -p $(@D)
-	@gnuplot -e "name='$*'; out='$@'" figures/style.gp $<
+	@figures/draw $< $@
+$(B)/figures/%.tex: figures/%.sh figures/balls $(wildcard figures/*.awk)
+	@echo '  draw $*'
+	@mkdir -p $(@D)
+	@$< > $@
 
 $(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
 	@awk -f figures/map.awk $(WEB) $(B)/plain/*.[ch] | cpif $@
 
 # ---------------------------------------------------------------- the book
+# What comes from runs that are recorded under data/ bears a sign wherever it is printed.
+RECORDED := $(ATLAS) propellant-optimum atlas seconds
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
   $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv $(B)/data/radius-read/summary.tsv \
-  $(B)/data/atlas/summary.tsv
+  $(B)/data/atlas/summary.tsv $(B)/data/claimed/summary.tsv $(B)/data/touch/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
-	@awk -f paper/values.awk $(SUMMARIES) > $@
-$(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
-	@awk -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
-$(B)/paper/findings.tex: $(B)/findings.tsv paper/findings-tex.awk
+	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(SUMMARIES) > $@
+# Which figures are recorded, and how much in all.
+$(B)/paper/recorded.tex: paper/recorded.awk $(WEB) $(DRAWINGS) $(B)/data/seconds/summary.tsv Makefile
 	@mkdir -p $(@D)
-	@awk -f paper/findings-tex.awk $< > $@
+	@awk -v recorded='$(RECORDED)' -v runs=$(words $(ATLAS)) -v draft=$(DRAFT) \
+	  -v other="$$(awk -F'\t' '$$1 == "other_code" { print $$2 + 0 }' $(B)/data/seconds/summary.tsv)" \
+	  -f $< $(DRAWINGS) $(WEB) > $@
+# Claims of the sources, and our own controls, judged by one rule.
+$(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
+	@awk -v draft=$(DRAFT) -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
+$(B)/controls.tsv: data/controls.tsv paper/findings.awk $(SUMMARIES)
+	@awk -v draft=$(DRAFT) -f paper/findings.awk data/controls.tsv $(SUMMARIES) > $@
+$(B)/paper/%.tex: $(B)/%.tsv paper/findings-tex.awk
+	@mkdir -p $(@D)
+	@awk -v score=$(@D)/$*-score.tex -v recorded='$(RECORDED)' -f paper/findings-tex.awk $< > $@
 $(B)/paper/hard.tex: $(B)/hard.tsv paper/hard.awk
 	@mkdir -p $(@D)
 	@awk -f paper/hard.awk $< > $@
@@ -212,13 +254,22 @@ $(B)/paper/web.tex: $(WEB)
 	@mkdir -p $(@D)
 	@noweave -n -index $(WEB) > $@
 TEX := paper/book.tex paper/front.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
-  $(B)/paper/values.tex $(B)/paper/findings.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
+  $(B)/paper/values.tex $(B)/paper/recorded.tex $(B)/paper/findings.tex $(B)/paper/controls.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
 $(B)/paper.pdf: $(TEX) paper/weave
 	@echo '  weave'
 	@paper/weave $(B)/paper
 	@cp $(B)/paper/book.pdf $@
 paper: $(B)/paper.pdf ## build/paper.pdf: everything computed, drawn and woven
 	@echo 'build/paper.pdf'
+
+# A draft is the same book from a few packs a scene, built in a folder of its own where only the program is that of build/.
+draft: $(B)/bin/randpack $(B)/bench $(B)/hard ## build/draft.pdf: the whole book in minutes, from a few packs a scene
+	@mkdir -p $(B)/draft/$(B)
+	@ln -sfn $(addprefix ../../,Makefile README.md src.nw src paper figures data tests) $(B)/draft
+	@ln -sfn $(addprefix ../../../$(B)/,bin c plain print obj bench hard) $(B)/draft/$(B)
+	@$(MAKE) --no-print-directory -C $(B)/draft DRAFT=2 $(B)/paper.pdf
+	@cp $(B)/draft/$(B)/paper.pdf $(B)/draft.pdf
+	@echo 'build/draft.pdf'
 
 # ---------------------------------------------------------------- tests
 # One program a module, with the sanitizers; then the command itself. All
@@ -233,10 +284,19 @@ check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 
 	@tests/run $(sort $(wildcard tests/check-*.sh)) $(UNITS:%=$(B)/test/%)
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
-check-slow: $(B)/bin/randpack $(B)/slow ## the long tests, under 45 minutes
-	@tests/run $(sort $(wildcard tests/slow-*.sh))
-lint: $(STAMPS) $(B)/c/prints.inc ## form: the web, the warnings, the layout, the prose
-	@tests/lint '$(WEB)' '$(MODULES)' '$(CC) $(CFLAGS) $(WARNINGS)'
+# The same programs of the plain build.
+$(B)/obj/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
+	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
+$(B)/unit/%: tests/test_%.c $(OBJECTS) $(REFERENCES:tests/%.c=$(B)/obj/%.o) $(wildcard tests/*.h)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c -Itests $(filter-out %.h,$^) $(LIBS) -o $@
+check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench $(B)/hard $(UNITS:%=$(B)/unit/%) ## the long tests, under 45 minutes
+	@CC='$(CC)' tests/run $(sort $(wildcard tests/slow-*.sh))
+# Warnings are errors here and in CI only, in a build of its own.
+programs: $(B)/bin/randpack $(B)/hard $(B)/slow $(B)/bench $(UNITS:%=$(B)/test/%)
+lint: $(STAMPS) $(B)/c/prints.inc $(B)/bench ## form: the web, the warnings, the layout, the prose
+	@$(MAKE) --no-print-directory B=$(B)/lint WERROR=-Werror programs
+	@tests/lint '$(WEB)' '$(MODULES)'
 mutants: $(STAMPS) $(B)/c/prints.inc ## planted errors, each caught by a named test
 	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES)' '$(LIBS)'
 $(B)/bench: tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS)

@@ -2,11 +2,11 @@
 # data: bimodal
 set terminal cairolatex pdf size 12.6cm,12.4cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 table(stage, pair, rule) = data("bimodal", sprintf("%s.partial.%s@%s@60.tsv", stage, pair, rule))
 l = 0.313
-# n bins together: R on B's scale, g, its error, Percus and Yevick's g; a is the radius of the first
-bins(file, a, n) = "< awk -F'\\t' '/^#/ || !h++ {next} {r += ($1 - ".a.")/".sprintf("%g", l)." + 1; g += $3; e += $4*$4; p += $10} ++m == ".n." {print r/m \"\\t\" g/m \"\\t\" sqrt(e)/m \"\\t\" p/m; m = r = g = e = p = 0}' ".file
+bins(file, n) = columns(sprintf("bin=%d ", n).file)
+# B's scale; a is the radius of the first
+on(a) = (column("R") - a)/l + 1
 unset key
 set style fill transparent solid 0.25 noborder
 # the pair of a rhombus in the middle: small, mixed, large; chains
@@ -16,39 +16,39 @@ array geo22[5] = [2*sqrt(3), 4*sqrt((2 + k)*k)/(1 + k), 2*sqrt(1 + 2*k), 4, 2*(1
 array word_[5] = ["a", "b", "c", "", "e"]
 set multiplot
 do for [j = 1:2] {
-  pair = word("L-S S-S", j); a = word("1 0.313", j); y0 = j == 1 ? 0.5 : 0.75; y1 = j == 1 ? 1.65 : 1.5
+  pair = word("L-S S-S", j); a = real(word("1 0.313", j)); y0 = j == 1 ? 0.5 : 0.75; y1 = j == 1 ? 1.65 : 1.5
   unset label; unset arrow
   set tmargin screen 0.985 - 0.5*(j - 1); set bmargin screen 0.6 - 0.5*(j - 1)
   # near contact
-  set lmargin screen 0.075; set rmargin screen 0.315
+  set lmargin screen 0.09; set rmargin screen 0.325
   set xrange [2:2.5]; set xtics 0.2; set mxtics 2; set yrange [1:(j == 1 ? 11.9 : 7.9)]; set ytics 2
-  set xlabel (j == 1 ? "$R_{12}=(r-a_1)/a_2+1$" : "$R_{22}=r/a_2$") offset 0,0.7; set ylabel sprintf("$g_{%s}$", word("12 22", j)) offset 1.2
+  set xlabel (j == 1 ? "$R_{12}=(r-a_1)/a_2+1$" : "$R_{22}=r/a_2$") offset 0,0.7; set label 9 sprintf("$g_{%s}$", word("12 22", j)) at screen 0.022,graph 0.5 center rotate
   set label 1 ink(1, "$\\circ$ as grown") at graph 0.27,0.92
   set label 2 ink(3, "Metropolis") at graph 0.27,0.82
   set label 3 ink(2, "retry (B)") at graph 0.27,0.72
   set label 4 ink(7, "Percus--Yevick") at graph 0.27,0.62
-  plot bins(table("made", pair, "retry"), a, 2) using 1:4 with lines lt 7 dt 4, \
-    bins(table("made", pair, "retry"), a, 2) using 1:2:3 with yerrorbars lt 1 pt 6 ps 0.8, \
-    bins(table("shaken", pair, "metropolis"), a, 2) using 1:2:3 with yerrorbars lt 3 pt 9 ps 0.4, \
-    bins(table("shaken", pair, "retry"), a, 2) using 1:2:3 with yerrorlines lt 2 pt 5 ps 0.3
+  plot bins(table("made", pair, "retry"), 2) using (on(a)):"py" with lines lt 7 dt 4, \
+    bins(table("made", pair, "retry"), 2) using (on(a)):"g":"g_err" with yerrorbars lt 1 pt 6 ps 0.8, \
+    bins(table("shaken", pair, "metropolis"), 2) using (on(a)):"g":"g_err" with yerrorbars lt 3 pt 9 ps 0.4, \
+    bins(table("shaken", pair, "retry"), 2) using (on(a)):"g":"g_err" with yerrorlines lt 2 pt 5 ps 0.3
   unset label
   # beyond
-  set lmargin screen 0.43; set rmargin screen 0.985
-  set xrange [2:12]; set xtics 2; set mxtics 4; set yrange [y0:y1]; set ytics 0.25; set ylabel offset 0.8
+  set lmargin screen 0.44; set rmargin screen 0.985
+  set xrange [2:12]; set xtics 2; set mxtics 4; set yrange [y0:y1]; set ytics 0.25; set label 9 sprintf("$g_{%s}$", word("12 22", j)) at screen 0.368,graph 0.5 center rotate
   dy = y1 - y0
-  set arrow 1 from 3.3,y0 to 3.3,y0 + 0.9*dy nohead lt 7 lw 0.8 dt 2 back; set label 1 "B: 3.3" at 2.98,y0 + 0.95*dy center
-  set arrow 2 from 4,y0 to 4,y0 + 0.9*dy nohead lt 7 lw 0.8 dt 2 back; set label 2 "4" at 4.08,y0 + 0.95*dy center
-  set arrow 3 from 8.3,y0 to 8.3,y0 + 0.9*dy nohead lt 7 lw 0.8 dt 2 back; set label 3 "8.3" at 8.3,y0 + 0.95*dy center
+  set arrow 1 from 3.3,y0 + 0.16*dy to 3.3,y0 + 0.9*dy nohead lt 7 lw 0.8 dt 2 back; set label 1 "B: 3.3" at 2.98,y0 + 0.95*dy center
+  set arrow 2 from 4,y0 + 0.16*dy to 4,y0 + 0.9*dy nohead lt 7 lw 0.8 dt 2 back; set label 2 "4" at 4.08,y0 + 0.95*dy center
+  set arrow 3 from 8.3,y0 + 0.16*dy to 8.3,y0 + 0.9*dy nohead lt 7 lw 0.8 dt 2 back; set label 3 "8.3" at 8.3,y0 + 0.95*dy center
   set arrow 4 from k,y0 to k,y0 + 0.13*dy nohead lt 8 dt 1 lw 1.6 back; set label 4 ink(8, "$1/\\lambda$") at k - 0.08,y0 + 0.1*dy right
   do for [i = 1:5] {
     at = j == 1 ? geo12[i] : geo22[i]
     set arrow 10 + i from at,y0 to at,y0 + 0.08*dy nohead lt 8 dt 1 lw 1.6 back
-    set label 10 + i ink(8, word_[i]) at at - (j == 2 && i == 2 ? 0.02 : 0),y0 + 0.115*dy center
+    if (i < 3) { set label 10 + i ink(8, word_[i]) at at + (i == 1 ? 0.04 : -0.03),y0 + 0.115*dy right } else { set label 10 + i ink(8, word_[i]) at at,y0 + 0.115*dy center }
   }
-  set label 14 ink(8, "d") at 4.17,y0 + 0.115*dy center
-  plot 1 with lines lt 8 lw 0.5, bins(table("made", pair, "retry"), a, 4) using 1:4 with lines lt 7 dt 4, \
-    bins(table("made", pair, "retry"), a, 4) using 1:($2-$3):($2+$3) with filledcurves lt 1, bins(table("made", pair, "retry"), a, 4) using 1:2 with lines lt 1 lw 1, \
-    bins(table("shaken", pair, "metropolis"), a, 4) using 1:2 with lines lt 3 lw 0.8, \
-    bins(table("shaken", pair, "retry"), a, 4) using 1:($2-$3):($2+$3) with filledcurves lt 2, bins(table("shaken", pair, "retry"), a, 4) using 1:2 with lines lt 2 lw 1
+  set label 14 ink(8, "d") at 4.06,y0 + 0.115*dy
+  plot 1 with lines lt 8 lw 0.5, bins(table("made", pair, "retry"), 4) using (on(a)):"py" with lines lt 7 dt 4, \
+    bins(table("made", pair, "retry"), 4) using (on(a)):(low("g")):(high("g")) with filledcurves lt 1, bins(table("made", pair, "retry"), 4) using (on(a)):"g" with lines lt 1 lw 1, \
+    bins(table("shaken", pair, "metropolis"), 4) using (on(a)):"g" with lines lt 3 lw 0.8, \
+    bins(table("shaken", pair, "retry"), 4) using (on(a)):(low("g")):(high("g")) with filledcurves lt 2, bins(table("shaken", pair, "retry"), 4) using (on(a)):"g" with lines lt 2 lw 1
 }
 unset multiplot

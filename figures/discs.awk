@@ -1,8 +1,9 @@
-# figures/discs.awk: circles of a pack in 2-D with their images over the sides: x y r
-/Lattice=/ { match($0, /Lattice="[^"]*/); split(substr($0, RSTART + 9, RLENGTH - 9), L, " "); next }
-NR > 2 {
+# figures/discs.awk, after colour.awk and pack.awk: discs of a pack in their box, with their images over the sides.
+FNR == 3 { print "window", 0, 0, X, Y }
+FNR > 2 {
   for (i = -1; i <= 1; i++) for (j = -1; j <= 1; j++) {
-    x = $2 + i * L[1]; y = $3 + j * L[5]
-    if (x > -$5 && x < L[1] + $5 && y > -$5 && y < L[5] + $5) print x "\t" y "\t" $5
+    u = x + i * X; v = y + j * Y
+    if (u > -r && u < X + r && v > -r && v < Y + r) { print "disc", "0072b2", u, v, r; print "disc", "c4e5f7", u, v, r - 0.07 }
   }
 }
+END { frame("777777", 0, 0, X, Y, 1.2) }

@@ -2,15 +2,16 @@
 # data: first-peak
 set terminal cairolatex pdf size 12.6cm,13.2cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 file(r, c) = data("first-peak", sprintf("shaken.rdf@%s@%g.tsv", r, c))
 c1 = 0.575
 willis(c) = 0.8006*(8*c - 1)/c
 py(c) = (2 + c)/(2*(1 - c)**2) - 1
-mean(r, c, q) = real(system(sprintf("awk -F'\\t' '$1==\"%s@%s@%g\" {print $2}' %s", q, r, c, data("first-peak", "summary.tsv"))))
-slip(r, c, q) = real(system(sprintf("awk -F'\\t' '$1==\"%s@%s@%g\" {print $3}' %s", q, r, c, data("first-peak", "summary.tsv"))))
-# R, measured g and its error, g from that at c1 times f and its error
-pair(r, c, f) = "< paste ".file(r, c)." ".file(r, c1)." | awk -v f=".sprintf("%.12g", f)." '/^#/ || !h++ {next} {print $1 \"\\t\" $2 \"\\t\" $3 \"\\t\" 1 + f*($5 - 1) \"\\t\" f*$6}'"
+mean(r, c, q) = known("first-peak", sprintf("%s@%s@%g", q, r, c))
+slip(r, c, q) = known_err("first-peak", sprintf("%s@%s@%g", q, r, c))
+# measured, and at c1; from that, scaled by f, g and what is measured less it, in standard errors
+pair(r, c) = columns(file(r, c)." ".file(r, c1))
+scaled(f) = 1 + f*(column("g_2") - 1)
+miss(f) = (column("g") - scaled(f))/sqrt(column("g_err")**2 + (f*column("g_err_2"))**2)
 ratio(r, c) = (mean(r, c, q) - 1)/(mean(r, c1, q) - 1)
 off(r, c) = ratio(r, c)*sqrt((slip(r, c, q)/(mean(r, c, q) - 1))**2 + (slip(r, c1, q)/(mean(r, c1, q) - 1))**2)
 says(x) = x < 1 ? sprintf("%.3f", x)[2:] : sprintf("%.3f", x)
@@ -33,8 +34,8 @@ do for [j = 1:2] {
   set label 3 ink(2, "Willis $".says(fw)."$") at graph 0.98,0.77 right
   set label 4 ink(3, "Percus--Yevick $".says(fp)."$") at graph 0.98,0.69 right
   set label 5 "measured ".found("retry", c) at graph 0.98,0.61 right
-  plot pair("retry", c, fw) using 1:4 with lines lt 2, pair("retry", c, fp) using 1:4 with lines lt 3 dt 2, \
-    pair("retry", c, 1) using 1:2 with points lt 7 pt 7 ps 0.22
+  plot pair("retry", c) using "R":(scaled(fw)) with lines lt 2, pair("retry", c) using "R":(scaled(fp)) with lines lt 3 dt 2, \
+    pair("retry", c) using "R":"g" with points lt 7 pt 7 ps 0.22
   unset label; unset logscale y
   set yrange [-48:48]; set ytics 20
   do for [i = 1:2] {
@@ -45,8 +46,8 @@ do for [j = 1:2] {
     if (i == 1 && j == 1) { set label 9 "measured $-$ (17), in standard errors" at screen 0.022,first -50 center rotate }
     set label 1 rule at graph 0.98,0.87 right
     if (i == 2) { set label 2 "measured ".found(rule, c) at graph 0.98,0.11 right }
-    plot 0 with lines lt 8, pair(rule, c, fw) using 1:(($2-$4)/sqrt($3**2 + $5**2)) with lines lt 2, \
-      pair(rule, c, fp) using 1:(($2-$4)/sqrt($3**2 + $5**2)) with lines lt 3 dt 2
+    plot 0 with lines lt 8, pair(rule, c) using "R":(miss(fw)) with lines lt 2, \
+      pair(rule, c) using "R":(miss(fp)) with lines lt 3 dt 2
     unset label
   }
 }

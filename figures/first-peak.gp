@@ -1,23 +1,27 @@
 # The change of the first peak under every rule, at B's three fractions, after growth and during it.
-# data: first-peak first-peak-isothermal first-peak-longest first-peak-longest-isothermal first-peak-during first-peak-during-isothermal
+# data: first-peak first-peak-isothermal first-peak-longest first-peak-longest-isothermal first-peak-during first-peak-during-isothermal unimodal-peaks
 set terminal cairolatex pdf size 12.6cm,14cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-rules = "metropolis retry collision collision-longest chain newton dynamics"
-head = "/^#/ {next} $1 == \"shake.rule\" {delete k; for (i = 1; i <= NF; i++) k[$i] = i; next}"
-line(phi) = "BEGIN {n = split(\"".rules."\", r, \" \"); for (i = 1; i <= n; i++) y[r[i]] = n - i} $2 != ".phi." {next}"
-x = "contact_first_bin"
-# line of the rule, change in per cent and its error: after growth, of the same packs
-after(s, phi) = "< awk -F'\\t' '".head.line(phi)." {print y[$1] \"\\t\" 100*$k[\"change.".x."\"] \"\\t\" 100*$k[\"change.".x."_err\"]}' ".data(s, "sweep.tsv")
-# the same during growth, against the packs of another scene that were not shaken
-during(s, t, phi) = "< awk -F'\\t' '".head.line(phi)." {g = $k[\"made.".x."\"]; e = $k[\"made.".x."_err\"]/g} FNR == NR {h = g; f = e; next} {print y[$1] \"\\t\" 100*(g/h - 1) \"\\t\" 100*g/h*sqrt(e^2 + f^2)}' ".data(t, "sweep.tsv")." ".data(s, "sweep.tsv")
+rules = "dynamics newton chain collision-longest collision retry metropolis"
+line(r) = sum [i = 1:words(rules)] (word(rules, i) eq r ? i - 1 : 0)
+at(shift) = line(stringcolumn("shake.rule")) + shift
+per(name) = 100*column(name)
+change = "change.contact_first_bin"; ten = change."_10"; grown = "made.contact_first_bin"
+# after growth, of the same packs
+after(s, phi) = columns("where=fraction=".phi." ".data(s, "sweep.tsv"))
+# the highest bin by B's rule after 10 and 60 shakes; at .63 it is the bin at contact
+top(n, phi) = phi eq "0.63" ? columns("'where=shake.rule=retry;fraction=0.63' ".data("first-peak", "sweep.tsv")) : \
+  columns("'where=shake.rule=retry;shake.sweeps=".word("10 60", n).";fraction=".phi."' ".data("unimodal-peaks", "sweep.tsv"))
+tall(n, phi) = phi ne "0.63" ? "change.highest_g" : n == 1 ? ten : change
+# during growth, against the packs of another scene that were not shaken
+during(s, t, phi) = columns("'by=shake.rule' where=fraction=".phi." ".data(s, "sweep.tsv")." ".data(t, "sweep.tsv"))
 set xrange [-100:25]; set xtics 20; set mxtics 2; set yrange [-0.6:7.5]
 set ytics ("Metropolis" 6, "retry (B)" 5, "collision" 4, "collision, longest" 3, "event chain" 2, "Newtonian chain" 1, "dynamics" 0) scale 0
 unset key
 set multiplot
 do for [j = 1:3] {
   phi = word("0.575 0.6 0.63", j); b = real(word("-43 -21 -4", j))
-  set lmargin screen 0.20; set rmargin screen 0.985; set tmargin screen 0.99 - 0.305*(j - 1); set bmargin screen 0.70 - 0.305*(j - 1)
+  set lmargin screen 0.235; set rmargin screen 0.985; set tmargin screen 0.99 - 0.305*(j - 1); set bmargin screen 0.70 - 0.305*(j - 1)
   unset label; unset arrow; unset object
   if (j < 3) { set format x ""; unset xlabel } else { set format x "$%g$"; set xlabel "change of the first peak, per cent" offset 0,0.7 }
   set label sprintf("$\\phi=%s$", word(".575 .60 .63", j)) at graph 0.02,0.93
@@ -26,14 +30,14 @@ do for [j = 1:3] {
   set arrow from b,-0.6 to b,6.6 nohead lt 7 dt 2 back
   set label sprintf("B: $%g$", b) at b,7 center
   if (j == 3) {
-    set label ink(1, "$\\bullet$ after literal growth") at -98,4.8; set label ink(1, "$\\circ$ after isothermal growth") at -98,4
-    set label ink(2, "$\\scriptstyle\\blacksquare$ during literal growth") at -98,3.2; set label ink(2, "$\\scriptstyle\\square$ during isothermal growth") at -98,2.4
+    set label ink(1, "$\\bullet$ after literal growth, small: $M=10$") at -98,4.8; set label ink(1, "$\\circ$ after isothermal growth") at -98,4
+    set label ink(2, "$\\scriptstyle\\blacksquare$ during literal growth") at -98,3.2; set label ink(2, "$\\scriptstyle\\square$ during isothermal growth") at -98,2.4; set label ink(4, "$\\scriptstyle\\blacktriangle\\,\\vartriangle$ the highest bin, $M=60$, 10") at -98,1.6
   }
-  plot after("first-peak", phi) using 2:($1 + 0.24):3 with xerrorbars lt 1 pt 7 ps 0.6, \
-    after("first-peak-longest", phi) using 2:($1 + 0.24):3 with xerrorbars lt 1 pt 7 ps 0.6, \
-    after("first-peak-isothermal", phi) using 2:($1 + 0.08):3 with xerrorbars lt 1 pt 6 ps 0.6, \
-    after("first-peak-longest-isothermal", phi) using 2:($1 + 0.08):3 with xerrorbars lt 1 pt 6 ps 0.6, \
-    during("first-peak-during", "first-peak", phi) using 2:($1 - 0.08):3 with xerrorbars lt 2 pt 5 ps 0.55, \
-    during("first-peak-during-isothermal", "first-peak-isothermal", phi) using 2:($1 - 0.24):3 with xerrorbars lt 2 pt 4 ps 0.55
+  plot for [s in "first-peak first-peak-longest"] after(s, phi) using (per(change)):(at(0.26)):(per(change."_err")) with xerrorbars lt 1 pt 7 ps 0.6, \
+    after("first-peak", phi) using (per(ten)):(at(0.36)):(per(ten."_err")) with xerrorbars lt 1 pt 7 ps 0.3, \
+    for [n = 1:2] top(n, phi) using (per(tall(n, phi))):(at(0.46 - 0.1*n)):(per(tall(n, phi)."_err")) with xerrorbars lt 4 pt (7 + n) ps 0.65, \
+    for [s in "first-peak-isothermal first-peak-longest-isothermal"] after(s, phi) using (per(change)):(at(0.08)):(per(change."_err")) with xerrorbars lt 1 pt 6 ps 0.6, \
+    during("first-peak-during", "first-peak", phi) using (rise(grown)):(at(-0.08)):(rise_err(grown)) with xerrorbars lt 2 pt 5 ps 0.55, \
+    during("first-peak-during-isothermal", "first-peak-isothermal", phi) using (rise(grown)):(at(-0.24)):(rise_err(grown)) with xerrorbars lt 2 pt 4 ps 0.55
 }
 unset multiplot

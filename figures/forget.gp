@@ -2,9 +2,8 @@
 # data: forget-rsa forget-crystal forget-slow forget-fast
 set terminal cairolatex pdf size 12.6cm,13cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 file(start, rule, radius) = data("forget-".start, sprintf("shaking@%s@%s.tsv", rule, radius))
-fluid = real(system("build/bin/randpack theory contact --phi 0.35 | awk '$1==\"schultz\" {print $3}'"))
+fluid = equation("schultz", 0.35, "g(2+)")
 at(m) = m > 0 ? m : 0.45
 starts = "fast rsa slow crystal"; style = "2 3 1 4"
 set logscale x
@@ -28,7 +27,7 @@ do for [k = 1:2] {
       set label 4 ink(1, "slow growth") at 0.5,2.2; set label 5 ink(4, "crystal") at 0.5,0.5
       }
     if (k == 2 && j == 2) { set label 6 ink(8, "fluid, $g(2^+)$") at 5500,fluid + 0.55 right }
-    plot for [i = 1:4] file(word(starts, i), rule, radius) using (at($1)*(1 + 0.04*(i - 2.5))):"contact_first_bin":"contact_first_bin_err" with yerrorlines lt word(style, i) + 0 lw 0.8 ps (i == 2 ? 0.55 : 0.45)
+    plot for [i = 1:4] file(word(starts, i), rule, radius) using (at(column("M"))*(1 + 0.04*(i - 2.5))):"contact_first_bin":"contact_first_bin_err" with yerrorlines lt word(style, i) + 0 lw 0.8 ps (i == 2 ? 0.55 : 0.45)
   }
   unset label; unset arrow
   set tmargin screen 0.35; set bmargin screen 0.092
@@ -36,10 +35,10 @@ do for [k = 1:2] {
   set xtics ("0" 0.45, "1" 1, "10" 10, "100" 100, "1000" 1000)
   set xlabel "shakes" offset 0,0.5
   if (k == 1) { set label 9 "$Q_6$ from the crystal" at screen 0.022,graph 0.5 center rotate; set format y "%.1f" } else { set format y "" }
-  set label 1 ink(4, "metropolis, ").ink(7, "retry") at graph 0.97,0.92 right
+  if (k == 2) { set label 1 ink(4, "full: metropolis") at graph 0.97,0.92 right; set label 3 ink(4, "open: retry") at graph 0.97,0.77 right }
   if (k == 1) { set label 2 ink(8, "from RSA") at 0.5,0.075 }
-  plot file("crystal", "metropolis", radius) using (at($1)):"Q6":"Q6_err" with yerrorlines lt 4 lw 0.8 ps 0.5, \
-    file("crystal", "retry", radius) using (at($1)*1.05):"Q6":"Q6_err" with yerrorlines lt 7 dt 2 lw 0.8 ps 0.5, \
-    file("rsa", "metropolis", radius) using (at($1)*0.95):"Q6" with lines lt 8
+  plot file("crystal", "metropolis", radius) using (at(column("M"))):"Q6":"Q6_err" with yerrorlines lt 4 lw 0.8 ps 0.5, \
+    file("crystal", "retry", radius) using (at(column("M"))*1.05):"Q6":"Q6_err" with yerrorlines lt 4 dt 2 pt 12 lw 0.8 ps 0.9, \
+    file("rsa", "metropolis", radius) using (at(column("M"))*0.95):"Q6" with lines lt 8
 }
 unset multiplot

@@ -2,23 +2,21 @@
 # data: gravity gravity-discs gravity-contacts
 set terminal cairolatex pdf size 12.6cm,6.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 set multiplot
 unset key
 set tmargin screen 0.96; set bmargin screen 0.19
 set lmargin screen 0.10; set rmargin screen 0.52
 set xrange [0:1]; set xtics 0.2; set yrange [0:3.4]; set ytics 1
-set xlabel "$|\\cos\\vartheta|$; 0 across, 1 along the radius"; set ylabel "contacts by isotropic ones" offset 1.5,0
+set xlabel "$|\\cos\\vartheta|$; 0 across, 1 along the radius"; set label 9 "contacts by isotropic ones" at screen 0.022,graph 0.5 center rotate
 set arrow 1 from 0,1 to 1,1 nohead lt 8 back
 set label 1 ink(1, "spheres") at 0.03,1.5; set label 2 ink(2, "discs") at 0.66,2.6
-plot data("gravity-discs", "radial@30000.tsv") using 1:2:3 with yerrorlines lt 2 lw 0.8 pt 5 ps 0.5, \
-  data("gravity", "radial.tsv") using 1:2:3 with yerrorlines lt 1 lw 0.8 pt 7 ps 0.5
+plot data("gravity-discs", "radial@30000.tsv") using "c":"p":"p_err" with yerrorlines lt 2 lw 0.8 pt 5 ps 0.5, \
+  data("gravity", "radial.tsv") using "c":"p":"p_err" with yerrorlines lt 1 lw 0.8 pt 7 ps 0.5
 unset label; unset arrow
 set lmargin screen 0.63; set rmargin screen 0.985
 set logscale x; set xrange [5e-9:0.2]; set format x "$10^{%T}$"; set xtics 100; set yrange [0:8.5]; set ytics 2
-set xlabel "gap, diameters"; set ylabel "contacts of a sphere" offset 0.5,0
+set xlabel "gap, diameters"; set label 9 "contacts of a sphere" at screen 0.568,graph 0.5 center rotate
 set arrow 1 from 5e-9,6 to 0.2,6 nohead lt 8 back
 set label 1 ink(8, "isostatic") at 1e-8,6.4
-con = "< awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) k[$i] = i; next} {print $1 \"\\t\" $k[\"coordination\"] \"\\t\" $k[\"coordination_err\"]}' ".data("gravity-contacts", "sweep.tsv")
-plot con using 1:2:3 with yerrorlines lt 1 lw 0.8 pt 7 ps 0.6
+plot data("gravity-contacts", "sweep.tsv") using "measure.coordination.tolerance":"coordination":"coordination_err" with yerrorlines lt 1 lw 0.8 pt 7 ps 0.6
 unset multiplot

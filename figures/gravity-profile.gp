@@ -2,30 +2,29 @@
 # data: gravity-size gravity-million gravity-discs
 set terminal cairolatex pdf size 12.6cm,7cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 shells(s, v) = data(s, "profile-shells@".v.".tsv")
-half(s) = "< awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) k[$i] = i; next} {print $1 \"\\t\" $k[\"phi_0.5\"] \"\\t\" $k[\"phi_0.5_err\"]}' ".data(s, "sweep.tsv")
 set multiplot
 set tmargin screen 0.96; set bmargin screen 0.18
 set lmargin screen 0.10; set rmargin screen 0.53
 unset key
 set xrange [0:1]; set yrange [0:0.78]; set xtics 0.2; set ytics 0.2
-set xlabel "$|\\mathbf x|/R_{\\rm out}$"; set ylabel "$\\phi$ of a shell" offset 1,0
+set xlabel "$|\\mathbf x|/R_{\\rm out}$"; set label 9 "$\\phi$ of a shell" at screen 0.022,graph 0.5 center rotate
 set label 2 ink(5, "$P=300$") at 0.2,0.36; set label 3 ink(3, "$3000$") at 0.2,0.29
 set label 4 ink(2, "$30\\,000$") at 0.2,0.22; set label 5 ink(1, "$10^6$") at 0.2,0.15
-plot shells("gravity-size", "300") using 1:2:3 with yerrorlines lt 5 lw 1 pt 11 ps 0.45, \
-  shells("gravity-size", "3000") using 1:2:3 with yerrorlines lt 3 lw 1 pt 9 ps 0.45, \
-  shells("gravity-size", "30000") using 1:2:3 with yerrorlines lt 2 lw 1 pt 5 ps 0.4, \
-  shells("gravity-million", "1e+06") using 1:2:3 with yerrorlines lt 1 lw 1 pt 7 ps 0.4
+plot shells("gravity-size", "300") using "x":"phi":"phi_err" with yerrorlines lt 5 lw 1 pt 11 ps 0.45, \
+  shells("gravity-size", "3000") using "x":"phi":"phi_err" with yerrorlines lt 3 lw 1 pt 9 ps 0.45, \
+  shells("gravity-size", "30000") using "x":"phi":"phi_err" with yerrorlines lt 2 lw 1 pt 5 ps 0.4, \
+  shells("gravity-million", "1e+06") using "x":"phi":"phi_err" with yerrorlines lt 1 lw 1 pt 7 ps 0.4
 unset label
 set lmargin screen 0.69; set rmargin screen 0.985
 set logscale x; set xrange [150:2e6]; set xtics ("$10^3$" 1e3, "$10^4$" 1e4, "$10^5$" 1e5, "$10^6$" 1e6)
 set yrange [0.55:0.87]; set ytics 0.05
-set xlabel "$P$"; set ylabel "$\\phi$ within $\\frac12R_{\\rm out}$" offset 2,0
+set xlabel "$P$"
+set label 9 "$\\phi$ within $\\frac12R_{\\rm out}$" at screen 0.605,graph 0.5 center rotate
 set label 1 ink(1, "spheres") at 3e4,0.615; set label 2 ink(2, "discs") at 3e4,0.825
 set label 3 ink(7, "densest of spheres (\\B)") at 300,0.653
 plot 0.6366 with lines lt 7 dt 2 lw 0.8, \
-  half("gravity-size") using 1:2:3 with yerrorlines lt 1 lw 0.8 pt 7 ps 0.6, \
-  half("gravity-million") using 1:2:3 with yerrorlines lt 1 lw 0.8 pt 6 ps 0.6, \
-  half("gravity-discs") using 1:2:3 with yerrorlines lt 2 lw 0.8 pt 5 ps 0.55
+  data("gravity-size", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt 1 lw 0.8 pt 7 ps 0.6, \
+  data("gravity-million", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt 1 lw 0.8 pt 6 ps 0.6, \
+  data("gravity-discs", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt 2 lw 0.8 pt 5 ps 0.55
 unset multiplot

@@ -2,28 +2,24 @@
 # data: gravity-two gravity-two-discs gravity-product gravity-size gravity-discs
 set terminal cairolatex pdf size 12.6cm,6.8cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-cols(a, b, c, d) = "!h++ {for (i = 1; i <= NF; i++) k[$i] = i; next} {print $k[\"".a."\"] \"\\t\" $k[\"".b."\"] \"\\t\" $k[\"".c."\"] \"\\t\" $k[\"".d."\"]}"
-rows(s, how) = "< awk -F'\\t' '/^#/ {next} h && $1 != \"".how."\" {next} ".cols("species.[1].radius", "fraction", "fraction_err", "core.coarse")."' ".data(s, "sweep.tsv")
-share = "< awk -F'\\t' '/^#/ {next} ".cols("core.coarse", "fraction", "fraction_err", "core.coarse_err")."' ".data("gravity-product", "sweep.tsv")
-one = system("awk -F'\\t' '$1 == \"phi_0.6@30000\" {print $2}' ".data("gravity-discs", "summary.tsv"))
+rows(s, how) = columns("'where=species.[1].grow=".how."' ".data(s, "sweep.tsv"))
+f = known("gravity-discs", "phi_0.6@30000")
 set multiplot
 unset key
 set tmargin screen 0.96; set bmargin screen 0.19
-set lmargin screen 0.10; set rmargin screen 0.48
+set lmargin screen 0.115; set rmargin screen 0.48
 set xrange [1:6.5]; set xtics 1; set yrange [0.55:0.92]; set ytics 0.05
-set xlabel "radius of the coarse by that of the fine"; set ylabel "$\\phi$ of the core" offset 1,0
+set xlabel "radius of the coarse by that of the fine"; set label 9 "$\\phi$ of the core" at screen 0.02,graph 0.5 center rotate
 set label 1 "discs" at 1.2,0.80; set label 2 "spheres" at 1.2,0.63
 set label 3 ink(1, "added") at 4.2,0.885; set label 4 ink(2, "marked") at 5.1,0.815
-plot for [i = 1:2] rows("gravity-two", word("add mark", i)) using 1:2:3 with yerrorlines lt i lw 0.8 pt 2*i+5 ps 0.55, \
-  for [i = 1:2] rows("gravity-two-discs", word("add mark", i)) using 1:2:3 with yerrorlines lt i lw 0.8 pt 2*i+5 ps 0.55
+plot for [i = 1:2] rows("gravity-two", word("add mark", i)) using "species.[1].radius":"fraction":"fraction_err" with yerrorlines lt i lw 0.8 pt 2*i+5 ps 0.55, \
+  for [i = 1:2] rows("gravity-two-discs", word("add mark", i)) using "species.[1].radius":"fraction":"fraction_err" with yerrorlines lt i lw 0.8 pt 2*i+5 ps 0.55
 unset label
 set lmargin screen 0.65; set rmargin screen 0.985
 set xrange [0:1]; set xtics 0.25; set yrange [0.82:1]; set ytics 0.05
-set xlabel "coarse share of the discs' volume"; set ylabel "$\\phi$ of the core" offset 2,0
-f = real(one)
+set xlabel "coarse share of the volume"; set label 9 "$\\phi$ of the core" at screen 0.565,graph 0.5 center rotate
 set label 1 ink(7, "$1-(1-\\phi)^2$") at 0.62,0.985 right
 set label 2 ink(1, "10 to 1") at 0.55,0.858
 plot (x < 1/(2 - f) ? f/(1 - x*(1 - f)) : f/x) with lines lt 7 dt 2 lw 0.8, \
-  share using 1:2:4:3 with xyerrorbars lt 1 pt 7 ps 0.55
+  data("gravity-product", "sweep.tsv") using "core.coarse":"fraction":"core.coarse_err":"fraction_err" with xyerrorbars lt 1 pt 7 ps 0.55
 unset multiplot

@@ -2,13 +2,20 @@
 # data: growth-isothermal growth-literal growth-rest growth-theory
 set terminal cairolatex pdf size 12.6cm,15.5cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-# the combinations of a fraction that stand in column c and were reached; guard 1: too solid, 0: not
-rows(s, c, phi, guard) = sprintf("< awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) k[$i] = i; print; next} $%d==%g && $k[\"reached\"]>0 && ($k[\"solid_fraction\"]>0.02)==%d' %s", c, phi, guard, data("growth-".s, "sweep.tsv"))
-py(phi) = real(system(sprintf("awk -F'\\t' '/^#/ {next} !h++ {for (i = 1; i <= NF; i++) if ($i==\"py_%g\") c = i; next} $1<2.01005 {w = $1*$1*($1<2.00001 || $1>2.00995 ? 0.5 : 1); s += w*$c; n += w} END {print s/n}' %s", phi, data("growth-theory", "theory.tsv"))))
-cs(phi) = real(system(sprintf("build/bin/randpack theory contact --phi %g | awk '$1==\"carnahan-starling\" {print $3}'", phi)))
+# the combinations of a fraction that were reached; those that are too solid are open
+rows(s, phi) = columns(sprintf("'where=fraction=%g;reached>0' %s", phi, data("growth-".s, "sweep.tsv")))
+fluid(s, phi) = columns(sprintf("'where=fraction=%g;reached>0;solid_fraction<0.02' %s", phi, data("growth-".s, "sweep.tsv")))
+mark(full, open) = column("solid_fraction") > 0.02 ? open : full
+# Percus and Yevick's mean over the first bin
+weight(R) = R > 2.01005 ? 0 : R**2*(R < 2.00001 || R > 2.00995 ? 0.5 : 1)
+array py[2]
+do for [j = 1:2] {
+  stats data("growth-theory", "theory.tsv") using (weight(column("R"))):(weight(column("R"))*column("py_".word("0.575 0.6", j))) nooutput
+  py[j] = STATS_sum_y/STATS_sum_x
+}
+cs(phi) = equation("carnahan-starling", phi, "g(2+)")
 bin = "contact_first_bin"; err = "contact_first_bin_err"
-work(n) = 2*n/1000.
+work(particles) = 2*column("collisions")/particles
 set logscale xy
 set ytics nomirror; unset mytics; set mxtics 1
 unset key
@@ -25,7 +32,7 @@ do for [j = 1:3] {
     } else { set format x ""; unset xlabel }
     x0 = k == 1 ? 6e-4 : 40; x1 = k == 1 ? 16 : 3e4
     if (k == 1) { set label sprintf("$\\phi=%s$", word(".575 .60 .63", j)) at graph 0.06,0.92 }
-    if (j < 3) { set arrow from x0,py(phi) to x1,py(phi) nohead lt 8 dt 3 }
+    if (j < 3) { set arrow from x0,py[j] to x1,py[j] nohead lt 8 dt 3 }
     set arrow from x0,cs(phi) to x1,cs(phi) nohead lt 8
     if (k == 2 && j == 1) {
       set label ink(1, "isothermal") at graph 0.95,0.92 right; set label ink(2, "literal") at graph 0.95,0.83 right
@@ -33,16 +40,14 @@ do for [j = 1:3] {
       set label ink(8, "lines: $g(2^+)$, extrapolated") at graph 0.95,0.65 right
     }
     if (k == 2) { set label ink(8, "Carnahan--Starling") at graph 0.03,first cs(phi)/1.14 }
-    if (k == 2 && j < 3) { set label ink(8, "Percus--Yevick") at graph 0.03,first py(phi)/1.14 }
+    if (k == 2 && j < 3) { set label ink(8, "Percus--Yevick") at graph 0.03,first py[j]/1.14 }
     if (k == 1) {
-      plot for [g = 0:1] rows("isothermal", 2, phi, g) using 1:bin:err with yerrorbars lt 1 pt (g ? 6 : 7) ps 0.5, \
-        for [g = 0:1] rows("literal", 2, phi, g) using 1:bin:err with yerrorbars lt 2 pt (g ? 4 : 5) ps 0.5, \
-        rows("isothermal", 2, phi, 0) using 1:"contact" with lines lt 1 lw 0.7, \
-        rows("literal", 2, phi, 0) using 1:"contact" with lines lt 2 lw 0.7
+      plot for [i = 1:2] rows(word("isothermal literal", i), phi) using "make.growth":bin:err with yerrorbars lt i pt 0, \
+        for [i = 1:2] rows(word("isothermal literal", i), phi) using "make.growth":bin:(mark(9 - 2*i, 8 - 2*i)) with points lt i pt variable ps 0.5, \
+        for [i = 1:2] fluid(word("isothermal literal", i), phi) using "make.growth":"contact" with lines lt i lw 0.7
     } else {
-      plot for [g = 0:1] rows("isothermal", 2, phi, g) using (work(column("collisions"))):bin:err with yerrorbars lt 1 pt (g ? 6 : 7) ps 0.5, \
-        for [g = 0:1] rows("literal", 2, phi, g) using (work(column("collisions"))):bin:err with yerrorbars lt 2 pt (g ? 4 : 5) ps 0.5, \
-        for [g = 0:1] rows("rest", 1, phi, g) using (work(column("collisions"))):bin:err with yerrorbars lt 3 pt (g ? 8 : 9) ps 0.6
+      plot for [i = 1:3] rows(word("isothermal literal rest", i), phi) using (work(1000.)):bin:err with yerrorbars lt i pt 0, \
+        for [i = 1:3] rows(word("isothermal literal rest", i), phi) using (work(1000.)):bin:(i == 3 ? mark(9, 8) : mark(9 - 2*i, 8 - 2*i)) with points lt i pt variable ps (i == 3 ? 0.6 : 0.5)
     }
   }
 }

@@ -2,14 +2,14 @@
 # data: jump-grown jump-lattice jump-jammed rsa-K
 set terminal cairolatex pdf size 12.6cm,7.6cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-quantity(s, q, c) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $%d}' %s", q, c, data(s, "summary.tsv"))))
+hs = "0.0001 0.001 0.01"
 density(phi) = 3*phi/(4*pi)
-grown = density(0.575); cubic = density(quantity("jump-lattice", "fraction@0.01", 2))
-jammed = density(quantity("jump-jammed", "fraction", 2)); rsa = density(0.3)
-from(s, f, h) = sprintf("< awk -F'\\t' '/^#/ || !h++ {next} $1 > 2 + %g/2 && $1 < 2 + 10.5*%g {print $1 - 2 \"\\t\" $2 \"\\t\" $3}' %s", h, h, data(s, f))
-wide(h) = sprintf("< awk -F'\\t' '/^#/ || !h++ {next} {k = ($1 - 2)/%g; if (k > 0.5 && k < 10.5 && (k - int(k + 0.5))^2 < 1e-6) print $1 - 2 \"\\t\" $2}' %s", h, data("jump-jammed", "K.tsv"))
-jump(h) = real(system(sprintf("awk -F'\\t' '{k = ($1 - 2)/%g} (k - 1)^2 < 1e-6 {a = $2} (k - 2)^2 < 1e-6 {print 2*a - $2}' %s", h, data("jump-jammed", "K.tsv"))))
+grown = density(0.575); cubic = density(known("jump-lattice", "fraction@0.01"))
+jammed = density(known("jump-jammed", "fraction")); rsa = density(0.3)
+# the first ten steps h of a table of K: nearer than R - 2
+step(h) = abs((column("R") - 2)/h - int((column("R") - 2)/h + 0.5)) < 1e-3 && column("R") < 2 + 10.5*h && column("R") > 2 + h/2 ? column("R") - 2 : NaN
+near(h) = real(system(sprintf("awk -f figures/columns.awk get=K 'where=R>%.9g;R<%.9g' %s", 2 + 0.99*h, 2 + 1.01*h, data("jump-jammed", "K.tsv"))))
+jump(h) = 2*near(h) - near(2*h)
 unset key
 set multiplot
 set tmargin screen 0.975; set bmargin screen 0.135
@@ -21,12 +21,11 @@ set label 2 ink(8, "simple cubic") at 1.1e-4,10.5
 set label 3 ink(3, "jammed") at 1.1e-4,2.7
 set label 4 ink(1, "grown, $\\phi=.575$") at 3e-3,0.11
 set label 5 ink(4, "random addition, $.30$") at 1.1e-1,0.0016 right
-plot for [h in "0.01 0.001 0.0001"] from("jump-lattice", "K@".h.".tsv", real(h)) using 1:(cubic*$2) with lines lt 8 dt 1 lw 1.4, \
-  for [i = 1:3] wide(real(word("0.01 0.001 0.0001", i))) using 1:(jammed*$2) with points lt 3 pt (0 + word("6 4 8", i)) ps 0.6, \
-  for [i = 1:3] from("jump-grown", "K@".word("0.01 0.001 0.0001", i).".tsv", real(word("0.01 0.001 0.0001", i))) \
-    using 1:(grown*$2):(grown*$3) with yerrorbars lt 1 pt (0 + word("6 4 8", i)) ps 0.6, \
-  from("rsa-K", "K.tsv", 0.0005) using 1:(rsa*$2):(rsa*$3) with yerrorbars lt 4 pt 13 ps 0.5, \
-  grown*4*pi*4*quantity("jump-grown", "contact@0.01", 2)*x with lines lt 1 lw 0.7 dt 3
+plot for [i = 1:3] data("jump-lattice", "K@".word(hs, i).".tsv") using (step(real(word(hs, i)))):(cubic*column("K")) with lines lt 8 dt 1 lw 1.4, \
+  for [i = 1:3] data("jump-jammed", "K.tsv") using (step(real(word(hs, i)))):(jammed*column("K")) with points lt 3 pt (0 + word("8 4 6", i)) ps 0.6, \
+  for [i = 1:3] data("jump-grown", "K@".word(hs, i).".tsv") using (step(real(word(hs, i)))):(grown*column("K")):(grown*column("K_err")) with yerrorbars lt 1 pt (0 + word("8 4 6", i)) ps 0.6, \
+  data("rsa-K", "K.tsv") using (step(0.0005)):(rsa*column("K")):(rsa*column("K_err")) with yerrorbars lt 4 pt 13 ps 0.5, \
+  grown*4*pi*4*known("jump-grown", "contact@0.01")*x with lines lt 1 lw 0.7 dt 3
 unset label; unset logscale y
 set lmargin screen 0.675; set rmargin screen 0.985
 set xrange [6e-5:1.7e-2]; set yrange [-0.8:7]; set format y "%g"; set ytics 1
@@ -36,8 +35,8 @@ set label 3 ink(3, "jammed") at 8e-5,4.6
 set label 4 ink(1, "grown") at 8e-5,0.33
 set label 5 ink(4, "random addition") at 8e-5,-0.42
 plot 0 with lines lt 8, \
-  "+" using (real(word("0.0001 0.001 0.01", int($0) + 1))):(cubic*quantity("jump-lattice", "K_jump@".word("0.0001 0.001 0.01", int($0) + 1), 2)) every ::0::2 with linespoints lt 8 dt 1 lw 1.4 pt 7, \
-  "+" using (real(word("0.0001 0.001 0.01", int($0) + 1))):(jammed*jump(real(word("0.0001 0.001 0.01", int($0) + 1)))) every ::0::2 with linespoints lt 3 pt 9 ps 0.7, \
-  "+" using (real(word("0.0001 0.001 0.01", int($0) + 1))):(grown*quantity("jump-grown", "K_jump@".word("0.0001 0.001 0.01", int($0) + 1), 2)):(grown*quantity("jump-grown", "K_jump@".word("0.0001 0.001 0.01", int($0) + 1), 3)) every ::0::2 with yerrorlines lt 1 pt 7 ps 0.6, \
-  "+" using (0.0005):(rsa*quantity("rsa-K", "K_jump", 2)):(rsa*quantity("rsa-K", "K_jump", 3)) every ::0::0 with yerrorbars lt 4 pt 13 ps 0.8
+  columns("'of=K_jump@*' ".data("jump-lattice", "summary.tsv")) using "at":(cubic*column("value")) with linespoints lt 8 dt 1 lw 1.4 pt 7, \
+  "+" using (real(word(hs, int($0) + 1))):(jammed*jump(real(word(hs, int($0) + 1)))) every ::0::2 with linespoints lt 3 pt 9 ps 0.7, \
+  columns("'of=K_jump@*' ".data("jump-grown", "summary.tsv")) using "at":(grown*column("value")):(grown*column("standard_error")) with yerrorlines lt 1 pt 7 ps 0.6, \
+  columns("where=quantity=K_jump ".data("rsa-K", "summary.tsv")) using (0.0005):(rsa*column("value")):(rsa*column("standard_error")) with yerrorbars lt 4 pt 13 ps 0.8
 unset multiplot

@@ -6,7 +6,7 @@ set arrow from 3,0 to 3,50 nohead lt 8
 set arrow from 5,0 to 5,50 nohead lt 8
 set label "$n_l=1$" at 3.1,50 left tc rgb "#777777"
 set label "$n_l=2$" at 5.1,50 left tc rgb "#777777"
-plot data("lattice-shells", "shells.tsv") using 1:2 with impulses lt 1 lw 2.5 title "$n_l=5$", \
-  "" using 1:2:(sprintf("%d", $2)) with labels offset 0,0.6 notitle, \
-  data("lattice-n2", "shells.tsv") using 1:2 with points lt 2 pt 6 ps 0.8 title "$n_l=2$", \
-  data("lattice-n1", "shells.tsv") using 1:2 with points lt 3 pt 8 ps 0.8 title "$n_l=1$"
+plot data("lattice-shells", "shells.tsv") using "R":"I" with impulses lt 1 lw 2.5 title "$n_l=5$", \
+  "" using "R":"I":(sprintf("%d", column("I"))) with labels offset 0,0.6 notitle, \
+  data("lattice-n2", "shells.tsv") using "R":"I" with points lt 2 pt 6 ps 0.8 title "$n_l=2$", \
+  data("lattice-n1", "shells.tsv") using "R":"I" with points lt 3 pt 8 ps 0.8 title "$n_l=1$"

@@ -22,6 +22,7 @@ function implied(a, b,   c) {
 function x(m) { return (col[m] - 1) * 2 + (row[m] % 2 ? 0.35 : -0.35) }
 function y(m) { return -row[m] * 0.8 }
 END {
+  print "kind\tx\ty\tdx\tdy\twords"
   for (k = 1; k <= n; k++) for (i = 1; i <= n; i++) for (j = 1; j <= n; j++) {
     a = order[i]; b = order[j]; c = order[k]
     if ((a, b) in uses) reach[a, b] = 1
@@ -33,11 +34,9 @@ END {
     a = order[i]; b = order[j]
     if (((a, b) in uses) && !implied(a, b)) {
       dx = x(b) - x(a); dy = y(b) - y(a); s = 1 - 0.30 / sqrt(dx * dx + dy * dy)
-      print x(a) "\t" y(a) "\t" dx * s "\t" dy * s
+      print "arrow\t" x(a) "\t" y(a) "\t" dx * s "\t" dy * s "\t"
     }
   }
-  print "\n"
-  for (i = 1; i <= n; i++) print x(order[i]) "\t" y(order[i]) "\t\\\\ttfamily " order[i]
-  print "\n"
-  for (i = 1; i <= part; i++) if (rows[i]) print (i - 1) * 2 "\t0.75\t\\\\scshape " title[i]
+  for (i = 1; i <= n; i++) print "module\t" x(order[i]) "\t" y(order[i]) "\t0\t0\t\\\\ttfamily " order[i]
+  for (i = 1; i <= part; i++) if (rows[i]) print "part\t" (i - 1) * 2 "\t0.75\t0\t0\t\\\\scshape " title[i]
 }

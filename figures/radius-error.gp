@@ -2,59 +2,59 @@
 # data: radius-read
 set terminal cairolatex pdf size 12.6cm,13.2cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-near(S) = "< awk -F'\\t' '$1==\"".S."\"' ".data("radius-read", "near.tsv")
-wrong(S) = "< awk -F'\\t' '$1==\"".S."\"' ".data("radius-read", "wrong.tsv")
-known(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("radius-read", "summary.tsv"))))
-# spread, quantity, its error
-rows(q) = "< awk -F'\\t' '{split($1, a, \"@\")} a[1]==\"".q."\" {print a[2] \"\\t\" $2 \"\\t\" $3}' ".data("radius-read", "summary.tsv")." | sort -g"
+near(S) = columns("where=S=".S." ".data("radius-read", "near.tsv"))
+wrong(S) = columns("where=S=".S." ".data("radius-read", "wrong.tsv"))
+rows(q) = columns("'of=".q."@*' ".data("radius-read", "summary.tsv"))
+height = known("radius-read", "h")
+$B << END
+error	change
+5	-40
+-5	7
+END
 spreads = "0 0.01 0.02 0.03 0.05 0.1"; names = "0 .01 .02 .03 .05 .1"; points = "6 9 5 7 13 11"; inks = "7 3 2 1 4 5"
 unset key
 set multiplot
-set lmargin screen 0.09; set rmargin screen 0.465; set tmargin screen 0.985; set bmargin screen 0.60
+set lmargin screen 0.115; set rmargin screen 0.465; set tmargin screen 0.985; set bmargin screen 0.60
 set xrange [1.85:2.35]; set xtics 0.1; set mxtics 2; set yrange [0:13.5]; set ytics 2; set mytics 2
-set xlabel "$R$, with the right radius" offset 0,0.6; set ylabel "$g(R)$" offset 1.2
+set xlabel "$R$, with the right radius" offset 0,0.6; set label 10 "$g(R)$" at screen 0.018,graph 0.5 center rotate
 set label 1 "spread" at 2.12,11.2
 do for [i = 1:6] { set label 1 + i ink(int(word(inks, i)), word(names, i)) at 2.26,11.2 - 0.9*(i - 1) }
 set arrow 1 from 2.06,0 to 2.06,13.5 nohead lt 8 back
 set label 9 ink(8, "B, of Aste's: 2.06") at 2.07,12.9
 set arrow 2 from 2,0 to 2,13.5 nohead lt 8 dt 3 back
-plot near("0") using 2:($2 < 2 ? NaN : $3) with lines lt 7 lw 1, \
-  for [i = 2:6] near(word(spreads, i)) using 2:5 with lines lt int(word(inks, i)) lw 1, \
-  for [i = 2:6] near(word(spreads, i)) using 2:3 every 3 with points lt int(word(inks, i)) pt int(word(points, i)) ps 0.35
+plot near("0") using "r":(column("r") < 2 ? NaN : column("g")) with lines lt 7 lw 1, \
+  for [i = 2:6] near(word(spreads, i)) using "r":"smeared" with lines lt int(word(inks, i)) lw 1, \
+  for [i = 2:6] near(word(spreads, i)) using "r":"g" every 3 with points lt int(word(inks, i)) pt int(word(points, i)) ps 0.35
 unset label; unset arrow
 set lmargin screen 0.60; set rmargin screen 0.985
 set xrange [0.004:0.12]; set logscale xy; set xtics (".005" 0.005, ".01" 0.01, ".02" 0.02, ".05" 0.05, ".1" 0.1); unset mxtics
 set yrange [2:30]; set ytics (2, 3, 5, 7, 10, 15, 20, 30); unset mytics
-set xlabel "spread $s$" offset 0,0.6; set ylabel "height of the peak" offset 1.4
+set xlabel "spread $s$" offset 0,0.6; set label 10 "height of the peak" at screen 0.525,graph 0.5 center rotate
 set label 1 ink(2, "$\\bullet$ measured") at graph 0.04,0.42
 set label 2 ink(1, "equal, smeared") at graph 0.04,0.31
 set label 3 ink(7, "exponential, smeared") at graph 0.04,0.20
 set label 4 ink(8, "$\\frac12+A/2\\sqrt\\pi s$") at graph 0.04,0.09
-set arrow 1 from 0.004,known("h") to 0.12,known("h") nohead lt 8 dt 3
-set label 5 ink(8, "equal, $g(2^+)$") at graph 0.97,first 1.13*known("h") right
-plot rows("limit") using 1:2 with lines lt 8 lw 1.4, rows("model") using 1:2 with lines lt 7 dt 4, rows("smeared") using 1:2 with lines lt 1 lw 1, \
-  rows("top") using 1:2:3 with yerrorbars lt 2 pt 7 ps 0.55
+set arrow 1 from 0.004,height to 0.12,height nohead lt 8 dt 3
+set label 5 ink(8, "equal, $g(2^+)$") at graph 0.97,first 1.13*height right
+plot rows("limit") using "at":"value" with lines lt 8 lw 1.4, rows("model") using "at":"value" with lines lt 7 dt 4, rows("smeared") using "at":"value" with lines lt 1 lw 1, \
+  rows("top") using "at":"value":"standard_error" with yerrorbars lt 2 pt 7 ps 0.55
 unset label; unset arrow; unset logscale y
-set lmargin screen 0.09; set rmargin screen 0.465; set tmargin screen 0.485; set bmargin screen 0.085
-set yrange [2:2.07]; set ytics 0.01; set ylabel "place of the peak, $R$" offset 2; set format y "%.2f"
+set lmargin screen 0.115; set rmargin screen 0.465; set tmargin screen 0.485; set bmargin screen 0.085
+set yrange [2:2.07]; set ytics 0.01; set label 10 "place of the peak, $R$" at screen 0.018,graph 0.5 center rotate; set format y "%.2f"
 set arrow 1 from 0.004,2.06 to 0.12,2.06 nohead lt 8
 set label 1 ink(8, "B, of Aste's: 2.06") at 0.0045,2.0625
 set label 2 ink(8, "$2+w$") at 0.0045,2.0495
-plot rows("limit_R") using 1:2 with lines lt 8 lw 1.4, rows("model_R") using 1:2 with lines lt 7 dt 4, rows("smeared_R") using 1:2 with lines lt 1 lw 1, \
-  rows("top_R") using 1:2:3 with yerrorbars lt 2 pt 7 ps 0.55
+plot rows("limit_R") using "at":"value" with lines lt 8 lw 1.4, rows("model_R") using "at":"value" with lines lt 7 dt 4, rows("smeared_R") using "at":"value" with lines lt 1 lw 1, \
+  rows("top_R") using "at":"value":"standard_error" with yerrorbars lt 2 pt 7 ps 0.55
 unset label; unset arrow; unset logscale x; set format y "%g"
 set lmargin screen 0.60; set rmargin screen 0.985
 set xrange [-10:10]; set xtics 5; set mxtics 5; set yrange [-100:50]; set ytics 20; set mytics 2; set format y "$%g$"; set format x "$%g$"
-set xlabel "error of the radius, per cent" offset 0,0.6; set ylabel "change, per cent" offset 0.8
+set xlabel "error of the radius, per cent" offset 0,0.6; set label 10 "change, per cent" at screen 0.505,graph 0.5 center rotate
 set arrow 1 from 0,-100 to 0,50 nohead lt 8 dt 3 back
 set label 1 "spread" at 3.6,45
 do for [i = 2:6] { set label 1 + i ink(int(word(inks, i)), word(names, i)) at 8.2,45 - 9*(i - 2) }
-set label 9 "B" at 6.2,-38; set label 10 "B" at -5.2,18
-plot 0 with lines lt 8, for [i = 2:6] wrong(word(spreads, i)) using (100*$2):(100*$3) with lines lt int(word(inks, i)) lw 1.1, \
-  for [i = 3:6] wrong(word(spreads, i)) using ($2 > 0.001 ? NaN : 100*$2):(100*$4) with lines lt int(word(inks, i)) lw 1.4 dt 3, \
-  "-" using 1:2 with points lt 7 pt 12 ps 1.2
-5	-40
--5	7
-e
+set label 9 "B" at 6.2,-38; set label 11 "B" at -5.2,18
+plot 0 with lines lt 8, for [i = 2:6] wrong(word(spreads, i)) using (100*column("error")):(100*column("first")) with lines lt int(word(inks, i)) lw 1.1, \
+  for [i = 3:6] wrong(word(spreads, i)) using (column("error") > 0.001 ? NaN : 100*column("error")):(100*column("read")) with lines lt int(word(inks, i)) lw 1.4 dt 3, \
+  $B using "error":"change" with points lt 7 pt 12 ps 1.2
 unset multiplot

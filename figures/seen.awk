@@ -1,12 +1,23 @@
-# figures/seen.awk: depth x y r ..., near first -> those of which something is seen, on a raster of twenty points a unit: what is
-# behind all others need not be drawn.
+# figures/seen.awk: depth x y r ..., the nearest first -> those of which something may be seen. A sphere covers the squares of a raster
+# that lie in its disc wholly, and is seen if its disc reaches into a square that is not covered: nothing that is seen is left out.
+BEGIN { OFS = "\t"; fine = 12 }
+function ceil(v) { return -floor(-v) }
+function floor(v,   i) { i = int(v); return i > v ? i - 1 : i }
+# Half the width of a disc of radius r on the line at a distance h from its middle.
+function half(r, h) { return h < r ? sqrt(r * r - h * h) : -1 }
 {
-  seen = 0
-  for (i = int(20 * ($2 - $4)); i <= 20 * ($2 + $4); i++) {
-    h = $4 ^ 2 - (i / 20 - $2) ^ 2
-    if (h < 0) continue
-    h = sqrt(h)
-    for (j = int(20 * ($3 - h)); j <= 20 * ($3 + h); j++) if (!((i, j) in full)) { full[i, j]; seen = 1 }
+  x = fine * $2 + 1e5; y = fine * $3; r = fine * $4; seen = 0
+  for (j = floor(y - r); j < y + r; j++) {
+    near = j > y ? j - y : j + 1 < y ? y - j - 1 : 0; # of the row from the middle
+    w = half(r, near)
+    for (i = floor(x - w); i < x + w && !seen; i++) if (!((i, j) in covered)) seen = 1
+    if (seen) break
   }
-  if (seen) print
+  if (!seen) next
+  print
+  for (j = floor(y - r); j < y + r; j++) {
+    away = j + 1 - y > y - j ? j + 1 - y : y - j
+    w = half(r, away)
+    if (w > 0) for (i = ceil(x - w); i + 1 <= x + w; i++) covered[i, j]
+  }
 }

@@ -2,9 +2,9 @@
 # data: shake-drift
 set terminal cairolatex pdf size 12.6cm,6.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7", n)."}{".s."}"
 curve(r) = data("shake-drift", "shaking@".r.".tsv")
 rule(i) = word("metropolis chain newton dynamics", i)
+colour(i) = int(word("3 4 6 7", i)); mark(i) = int(word("7 9 13 5", i))
 # the state before the first sweep stands at one third
 at(m) = m > 0 ? m : 0.33
 set logscale x; set xrange [0.25:4500]; set xtics ("0" 0.33, 1, 10, 100, 1000); unset mxtics
@@ -12,13 +12,13 @@ set xlabel "sweeps"
 unset key
 set multiplot layout 1,2 margins 0.115,0.985,0.19,0.97 spacing 0.16
 set label "$g(2^+)$" at screen 0.015,graph 0.5 center rotate
-set label ink(1, "Metropolis") at graph 0.05,0.33
-set label ink(2, "straight chains") at graph 0.05,0.25
-set label ink(3, "Newtonian") at graph 0.05,0.17
-set label ink(4, "dynamics") at graph 0.05,0.09
-plot for [i = 1:4] curve(rule(i)) using (at($1)):"contact":"contact_err" with yerrorlines lt i
+set label ink(3, "Metropolis") at graph 0.05,0.33
+set label ink(4, "straight chains") at graph 0.05,0.25
+set label ink(6, "Newtonian") at graph 0.05,0.17
+set label ink(7, "dynamics") at graph 0.05,0.09
+plot for [i = 1:4] curve(rule(i)) using (at(column("M"))):"contact":"contact_err" with yerrorlines lt colour(i) pt mark(i)
 unset label
 set label "solid fraction" at screen 0.52,graph 0.5 center rotate
 set ytics 0.05
-plot for [i = 1:4] curve(rule(i)) using (at($1)):"solid_fraction":"solid_fraction_err" with yerrorlines lt i
+plot for [i = 1:4] curve(rule(i)) using (at(column("M"))):"solid_fraction":"solid_fraction_err" with yerrorlines lt colour(i) pt mark(i)
 unset multiplot

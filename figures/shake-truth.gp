@@ -2,12 +2,11 @@
 # data: shake-truth
 set terminal cairolatex pdf size 12.6cm,10.6cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 curve(r, c) = data("shake-truth", sprintf("shaken.rdf@%s@%g.tsv", r, c))
-fluid(c) = real(system(sprintf("build/bin/randpack theory contact --phi %g | awk '$1==\"schultz\" {print $3}'", c)))
+fluid(c) = equation("schultz", c, "g(2+)")
 window = real(system("sed -n 's/^shake .*radius = \\([0-9.]*\\);.*/\\1/p' figures/shake-truth.scene"))
-# R, g over that of dynamics and its error, in bins m times as wide
-over(r, c, m) = "< paste ".curve(r, c)." ".curve("dynamics", c)." | awk -v m=".m." '/^#/ || !h++ {next} {a += $2; e += $3^2; b += $5; f += $6^2; R += $1} ++k == m {q = a/b; print R/k \"\\t\" q \"\\t\" sqrt(e + f*q^2)/b; a = e = b = f = R = k = 0}'"
+# g over that of dynamics, three bins together
+ratio(r, c) = columns("bin=3 ".curve(r, c)." ".curve("dynamics", c))
 unset key
 set xrange [2:2.5]; set xtics 0.1
 set multiplot
@@ -28,22 +27,22 @@ do for [j = 1:2] {
     set arrow 1 from 2.135,3.5 to 2.012,fluid(c) + 0.12 nohead lt 8 dt 1
   } else {
     set label 3 ink(2, "retry") at 2.012,3.25 front
-    set label 4 ink(4, "collision-longest") at 2.24,5.3 front
-    set label 5 ink(1, "metropolis, ").ink(3, "chain,") at 2.475,8.3 right front
+    set label 4 ink(1, "collision-longest") at 2.24,5.3 front
+    set label 5 ink(3, "metropolis, ").ink(4, "chain,") at 2.475,8.3 right front
     set label 6 ink(6, "newton, ").ink(7, "dynamics") at 2.475,7.4 right front
   }
-  plot curve("collision", c) using 1:2 with lines lt 5, curve("collision-longest", c) using 1:2 with lines lt 4, \
-    curve("retry", c) using 1:2 with lines lt 2, curve("newton", c) using 1:2 with points lt 6 ps 0.35, \
-    curve("chain", c) using 1:2 with points lt 3 ps 0.35, curve("metropolis", c) using 1:2 with points lt 1 ps 0.35, \
-    curve("dynamics", c) using 1:2 with lines lt 7, \
+  plot curve("collision", c) using "R":"g" with lines lt 5, curve("collision-longest", c) using "R":"g" with lines lt 1, \
+    curve("retry", c) using "R":"g" with lines lt 2, curve("newton", c) using "R":"g" with points lt 6 ps 0.35, \
+    curve("chain", c) using "R":"g" with points lt 4 pt 9 ps 0.35, curve("metropolis", c) using "R":"g" with points lt 3 pt 7 ps 0.35, \
+    curve("dynamics", c) using "R":"g" with lines lt 7, \
     "+" using (2.0):(fluid(c)) every ::0::0 with points pt 2 ps 1.1 lw 2 lc rgb "#000000"
   set tmargin screen 0.39; set bmargin screen 0.11
   unset label; unset arrow
   set yrange [0.93:1.075]; set ytics 0.05; set format x "%g"
   set xlabel "$R=r/a$" offset 0,0.5
   if (j == 1) { set label 9 "over dynamics" at screen 0.02,graph 0.5 center rotate; set format y "%.2f" } else { set format y "" }
-  plot 1 with lines lt 7, over("retry", c, 3) using 1:2 with lines lt 2, over("collision", c, 3) using 1:2 with lines lt 5, \
-    over("metropolis", c, 3) using ($1-0.004):2:3 with yerrorbars lt 1 ps 0.45, \
-    over("chain", c, 3) using 1:2:3 with yerrorbars lt 3 ps 0.55, over("newton", c, 3) using ($1+0.004):2:3 with yerrorbars lt 6 ps 0.45
+  plot 1 with lines lt 7, ratio("retry", c) using "R":(over("g")) with lines lt 2, ratio("collision", c) using "R":(over("g")) with lines lt 5, \
+    ratio("metropolis", c) using (column("R") - 0.004):(over("g")):(over_err("g")) with yerrorbars lt 3 pt 7 ps 0.45, \
+    ratio("chain", c) using "R":(over("g")):(over_err("g")) with yerrorbars lt 4 pt 9 ps 0.55, ratio("newton", c) using (column("R") + 0.004):(over("g")):(over_err("g")) with yerrorbars lt 6 ps 0.45
 }
 unset multiplot

@@ -2,10 +2,9 @@
 # data: shake-window shake-tries shake-way
 set terminal cairolatex pdf size 12.6cm,11.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
 # rows of a sweep on which the condition holds; columns by name
-rows(s, where) = "< awk -F'\\t' '/^#/ {next} !h++ || (".where.")' ".data(s, "sweep.tsv")
-per(v) = 100*v
+rows(s, where) = columns(sprintf("'where=%s' %s", where, data(s, "sweep.tsv")))
+per(name) = 100*column(name)
 unset key
 set multiplot
 set logscale x
@@ -23,8 +22,8 @@ do for [j = 1:3] {
   if (j == 3) { set label ink(8, "Metropolis, .01") at graph 0.98,0.42 right; set label "retry, by bins of" at graph 0.98,0.33 right
     set label ink(1, ".001").", ".ink(2, ".01").", ".ink(3, ".05") at graph 0.98,0.24 right }
   plot 0 with lines lt 8, \
-    rows("shake-window", "$1==\"metropolis\" && $3==".phi) using 2:(per(column("change.exact_0.01"))):(per(column("change.exact_0.01_err"))) with yerrorlines lt 8 dt 1 pt 1 ps 0.5, \
-    for [w = 1:3] rows("shake-window", "$1==\"retry\" && $3==".phi) using 2:(per(column("change.exact_".word("0.001 0.01 0.05", w)))):(per(column("change.exact_".word("0.001 0.01 0.05", w)."_err"))) \
+    rows("shake-window", "shake.rule=metropolis;fraction=".phi) using "shake.radius":(per("change.exact_0.01")):(per("change.exact_0.01_err")) with yerrorlines lt 8 dt 1 pt 1 ps 0.5, \
+    for [w = 1:3] rows("shake-window", "shake.rule=retry;fraction=".phi) using "shake.radius":(per("change.exact_".word("0.001 0.01 0.05", w))):(per("change.exact_".word("0.001 0.01 0.05", w)."_err")) \
       with yerrorlines lt w pt 2*w + (w == 1 ? 7 : 1) ps 0.5, \
     "+" using (0.02):(b) every ::0::0 with points lt 7 pt 12 ps 1.1
 }
@@ -35,8 +34,8 @@ set xrange [0.8:200]; set xtics ("1" 1, "2" 2, "5" 5, "15" 15, "150" 150); set y
 set xlabel "$N_{\\rm sh}$, trials at most" offset 0,0.7
 set label "(b) change, \\%" at screen 0.018,graph 0.5 center rotate by 90
 set label "B" at 128,-43 right; set label "$R_{\\rm sh}=$ ".ink(1, ".01").", ".ink(2, ".02").", ".ink(3, ".05") at graph 0.95,0.80 right
-plot 0 with lines lt 8, "+" using (150):(-43) every ::0::0 with points lt 7 pt 12 ps 1.1, for [w = 1:3] rows("shake-tries", "$1==".word("0.01 0.02 0.05", w)." && $3==0.575") \
-  using 2:(per(column("change.contact_first_bin"))):(per(column("change.contact_first_bin_err"))) with yerrorlines lt w pt 2*w + (w == 1 ? 7 : 1) ps 0.5
+plot 0 with lines lt 8, "+" using (150):(-43) every ::0::0 with points lt 7 pt 12 ps 1.1, for [w = 1:3] rows("shake-tries", "fraction=0.575;shake.radius=".word("0.01 0.02 0.05", w)) \
+  using "shake.tries":(per("change.contact_first_bin")):(per("change.contact_first_bin_err")) with yerrorlines lt w pt 2*w + (w == 1 ? 7 : 1) ps 0.5
 unset label
 set lmargin screen 0.64; set rmargin screen 0.985
 set xrange [0.15:40]; set xtics (".2" 0.2, "1" 1, "5" 5, "30" 30); set yrange [8.5:16]; set ytics 2; set format y "%g"
@@ -44,7 +43,7 @@ set xlabel "collisions between shakes" offset 0,0.7
 set label "(c) first peak" at screen 0.565,graph 0.5 center rotate by 90
 set label ink(3, "Metropolis") at graph 0.95,0.98 right; set label ink(2, "retry") at graph 0.95,0.63 right
 set label "full: at the end of growth" at graph 0.95,0.17 right; set label "open: 10 shakes later" at graph 0.95,0.06 right
-way(w) = rows("shake-way", "$1==\"".word("metropolis retry", w)."\"")
-plot for [w = 1:2] way(w) using ($2*1.04):(column("shaken.contact_first_bin")):(column("shaken.contact_first_bin_err")) with yerrorlines lt (w == 1 ? 3 : 2) dt 2 pt (w == 1 ? 8 : 4) ps 0.55, \
-  for [w = 1:2] way(w) using ($2/1.04):(column("made.contact_first_bin")):(column("made.contact_first_bin_err")) with yerrorlines lt (w == 1 ? 3 : 2) ps 0.5
+way(w) = rows("shake-way", "shake.rule=".word("metropolis retry", w))
+plot for [w = 1:2] way(w) using (1.04*column("shake.every")):"shaken.contact_first_bin":"shaken.contact_first_bin_err" with yerrorlines lt (w == 1 ? 3 : 2) dt 2 pt (w == 1 ? 8 : 4) ps 0.55, \
+  for [w = 1:2] way(w) using (column("shake.every")/1.04):"made.contact_first_bin":"made.contact_first_bin_err" with yerrorlines lt (w == 1 ? 3 : 2) ps 0.5
 unset multiplot

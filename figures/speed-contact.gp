@@ -1,13 +1,13 @@
 # The contact value: rms error against the pairs at hand; above, seconds to count and fit them.
 # data: build/data/speed/summary.tsv data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-rows(m, p, phi) = sprintf("< awk -F'\\t' '$1==\"%s\" && $2==%s && $3==%s' build/data/speed/contact.tsv", m, sprintf("%g", p), phi)
-each = real(system("awk -F'\\t' '$1==\"contact\" && $2==\"fit\" && $4==100000 {print $6/$5}' data/bench-seconds.tsv"))
+rows(m, p, phi) = columns(sprintf("'where=method=%s;width (R) or degree=%g;phi=%s' build/data/speed/contact.tsv", m, p, phi))
+pairs = "pairs nearer than 1.25 diameters"
+pair = spent("task=contact;method=fit;size=100000")
 set logscale xyx2
 set format x "$10^{%T}$"; set format y "$10^{%T}$"; set format x2 "$10^{%T}$"
 set border 7; set xtics nomirror 1e3,10,1e7; set x2tics 1e-5,10,1e3
 set mxtics 1; set mx2tics 1
-set xrange [7e2:1.5e8]; set x2range [7e2*each:1.5e8*each]; set yrange [1e-4:2]
+set xrange [7e2:1.5e8]; set x2range [7e2*pair:1.5e8*pair]; set yrange [1e-4:2]
 unset key
 set multiplot layout 1,2 margins 0.125,0.985,0.17,0.84 spacing 0.035
 do for [k = 1:2] {
@@ -21,11 +21,11 @@ do for [k = 1:2] {
     set label ink(4, "bin $.01a$") at 1.1e7,0.0029
     set label ink(6, "degree 1") at 4e6,0.017; set label ink(1, "2") at 2.5e7,3.2e-4; set label ink(3, "3") at 6e7,1.2e-3
   }
-  plot rows("bin", 0.5, phi) using 4:7 with lines lt 2, rows("bin", 0.1, phi) using 4:7 with lines lt 5, \
-    rows("bin", 0.01, phi) using 4:7 with lines lt 4, rows("fit", 1, phi) using 4:7 with lines lt 6, \
-    rows("fit", 2, phi) using 4:7 with lines lt 1, rows("fit", 3, phi) using 4:7 with lines lt 3, \
-    rows("bin", 0.5, phi) using 4:8:9 with yerrorbars lt 2, rows("bin", 0.1, phi) using 4:8:9 with yerrorbars lt 5, \
-    rows("bin", 0.01, phi) using 4:8:9 with yerrorbars lt 4, rows("fit", 1, phi) using 4:8:9 with yerrorbars lt 6, \
-    rows("fit", 2, phi) using 4:8:9 with yerrorbars lt 1, rows("fit", 3, phi) using 4:8:9 with yerrorbars lt 3
+  plot rows("bin", 0.5, phi) using pairs:"rms" with lines lt 2, rows("bin", 0.1, phi) using pairs:"rms" with lines lt 5, \
+    rows("bin", 0.01, phi) using pairs:"rms" with lines lt 4, rows("fit", 1, phi) using pairs:"rms" with lines lt 6, \
+    rows("fit", 2, phi) using pairs:"rms" with lines lt 1, rows("fit", 3, phi) using pairs:"rms" with lines lt 3, \
+    rows("bin", 0.5, phi) using pairs:"rms of 200 samples":"its error" with yerrorbars lt 2, rows("bin", 0.1, phi) using pairs:"rms of 200 samples":"its error" with yerrorbars lt 5, \
+    rows("bin", 0.01, phi) using pairs:"rms of 200 samples":"its error" with yerrorbars lt 4, rows("fit", 1, phi) using pairs:"rms of 200 samples":"its error" with yerrorbars lt 6, \
+    rows("fit", 2, phi) using pairs:"rms of 200 samples":"its error" with yerrorbars lt 1, rows("fit", 3, phi) using pairs:"rms of 200 samples":"its error" with yerrorbars lt 3
 }
 unset multiplot

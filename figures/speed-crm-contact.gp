@@ -1,8 +1,9 @@
 # The contact value at .49 by the collisions spent: left, from a run at rest by four methods; right, by growth.
 # data: build/data/speed/summary.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-rows(m) = sprintf("< awk -F'\\t' '$1==\"%s\"' build/data/speed/crm-contact.tsv", m)
-grown(m) = sprintf("< awk -F'\\t' '$1==\"%s\" && $4>$5' build/data/speed/crm-rate.tsv", m)
+rows(m) = columns(sprintf("where=method=%s build/data/speed/crm-contact.tsv", m))
+grown(m) = columns(sprintf("where=method=%s build/data/speed/crm-rate.tsv", m))
+# off the scale below its error
+bias(x) = column("bias") > column("its error") ? column("bias") : NaN
 set logscale xy
 set format x "$10^{%T}$"; set mxtics 1
 unset key
@@ -13,10 +14,10 @@ set xrange [5:2000]
 set ylabel "error of the contact value, percent" offset 1.5,0
 set label 1 ink(2, "bin $.1a$") at 150,27; set label 2 ink(5, "bin $.01a$") at 120,4.3
 set label 3 ink(3, "parabola") at 1900,0.6 right; set label 4 ink(1, "rate") at 30,0.75 right
-plot rows("wide") using 2:7 with linespoints lt 2, rows("thin") using 2:7 with linespoints lt 5, \
-  rows("fit") using 2:7 with linespoints lt 3, rows("rate") using 2:7 with linespoints lt 1
+plot rows("wide") using "collisions a particle":"rms" with linespoints lt 2, rows("thin") using "collisions a particle":"rms" with linespoints lt 5, \
+  rows("fit") using "collisions a particle":"rms" with linespoints lt 3, rows("rate") using "collisions a particle":"rms" with linespoints lt 1
 unset label
 unset ylabel; set format y ""; set xrange [12:1200]; set ytics ("" 0.1, "" 1, "" 10, "" 100)
 set label 1 ink(1, "growth") at 250,6.5; set label 2 ink(2, "growth, then rest") at 75,1.6 center
-plot grown("grown") using 3:4:5 with yerrorlines lt 1, grown("rest") using 3:4:5 with yerrorlines lt 2
+plot grown("grown") using "collisions a particle":(bias(0)):"its error" with yerrorlines lt 1, grown("rest") using "collisions a particle":(bias(0)):"its error" with yerrorlines lt 2
 unset multiplot

@@ -1,11 +1,9 @@
 # Packs by gravity: microseconds a particle, and the deepest overlap left, against the number of particles.
 # data: build/data/speed/summary.tsv build/data/seconds/summary.tsv data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-record = "data/bench-seconds.tsv"
-rows(m, l) = sprintf("< awk -F'\\t' '$1==\"gravity\" && $2==\"%s\" && $3==\"%s\"' %s", m, l, record)
-left(m, d) = sprintf("< awk -F'\\t' '$1==\"%s\" && $2==%d' build/data/speed/gravity.tsv", m, d)
+rows(m, l) = recorded(sprintf("task=gravity;method=%s;case=%s", m, l))
+left(m, d) = columns(sprintf("'where=mode=%s;dimension=%d' build/data/speed/gravity.tsv", m, d))
 # The power of P over the last decade, of the seconds in all.
-power(m, l) = system(sprintf("awk -F'\\t' '$1==\"gravity_%s_%s_power\" {printf \"%%.2f\", $2}' build/data/seconds/summary.tsv", m, l))
+power(m, l) = sprintf("%.2f", known("seconds", sprintf("gravity_%s_%s_power", m, l)))
 says(n, what, m, l) = ink(n, sprintf("%s $P^{%s}$", what, power(m, l)))
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"; set mxtics 1; set mytics 1
@@ -22,17 +20,17 @@ set label says(1, "adaptive, 2-D", "ours", "adaptive-2") at 1.5e5,110 right
 set label says(2, "3-D", "ours", "adaptive-3") at 4e4,45
 set label says(2, "literal, 3-D", "ours", "literal-3") at 1.5e5,23.5 right
 set label says(1, "literal, 2-D", "ours", "literal-2") at 1.5e5,5.2 right
-plot rows("plain_all", "literal-3") using 4:(1e6*$6/$5):(1e6*$7/$5) with yerrorlines lt 7, \
-  rows("ours", "adaptive-2") using 4:(1e6*$6/$5):(1e6*$7/$5) with yerrorlines lt 1, \
-  rows("ours", "adaptive-3") using 4:(1e6*$6/$5):(1e6*$7/$5) with yerrorlines lt 2, \
-  rows("ours", "literal-2") using 4:(1e6*$6/$5):(1e6*$7/$5) with yerrorlines lt 1 dt 2 pt 6, \
-  rows("ours", "literal-3") using 4:(1e6*$6/$5):(1e6*$7/$5) with yerrorlines lt 2 dt 2 pt 4
+plot rows("plain_all", "literal-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 7, \
+  rows("ours", "adaptive-2") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 1, \
+  rows("ours", "adaptive-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 2, \
+  rows("ours", "literal-2") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 1 dt 2 pt 6, \
+  rows("ours", "literal-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 2 dt 2 pt 4
 unset label
 set lmargin screen 0.69; set rmargin screen 0.985
 set yrange [1e-10:8]; set ytics 1e-9,1e3; set ylabel "deepest overlap left, diameters" offset 1.6,0
 set label ink(1, "literal, 2-D") at 1.5e3,3.5; set label ink(2, "3-D") at 4e3,1e-2
 set label "adaptive, 2-D and 3-D" at 9e2,6e-9
-plot left("literal", 2) using 3:15:16 with errorbars lt 1 pt 6, "" using 3:15 with linespoints lt 1 dt 2 pt 6, \
-  left("literal", 3) using 3:15:16 with errorbars lt 2 pt 4, "" using 3:15 with linespoints lt 2 dt 2 pt 4, \
-  left("adaptive", 2) using 3:15 with linespoints lt 1, left("adaptive", 3) using 3:15 with linespoints lt 2
+plot left("literal", 2) using "P":"overlap":"overlap_err" with errorbars lt 1 pt 6, "" using "P":"overlap" with linespoints lt 1 dt 2 pt 6, \
+  left("literal", 3) using "P":"overlap":"overlap_err" with errorbars lt 2 pt 4, "" using "P":"overlap" with linespoints lt 2 dt 2 pt 4, \
+  left("adaptive", 2) using "P":"overlap" with linespoints lt 1, left("adaptive", 3) using "P":"overlap" with linespoints lt 2
 unset multiplot

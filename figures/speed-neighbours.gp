@@ -1,7 +1,6 @@
 # All pairs nearer than 1.5 at unit density: distances computed, and seconds, against N.
 # data: build/data/speed/summary.tsv data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-rows(m) = sprintf("< awk -F'\\t' '$1==\"neighbours\" && $2==\"%s\"' data/bench-seconds.tsv", m)
+rows(m) = recorded("task=neighbours;method=".m)
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"
 set mxtics 1; set mytics 1
@@ -12,13 +11,13 @@ set xrange [20:2e6]; set yrange [100:1e12]; set xtics 100,10; set ytics 100,100
 set ylabel "distances computed" offset 2.2,0
 set label 1 ink(2, "all pairs") at 3e3,5e8 right; set label 2 ink(1, "cells, ours; ").ink(5, "plain") at 2e6,4e4 right
 set label 3 ink(8, "pairs found") at 2e6,3e3 right
-plot "build/data/speed/neighbours.tsv" using 1:2 with lines lt 2, "" using 1:3 with lines lt 5, \
-  "" using 1:4 with lines lt 1, "" using 1:5 with lines lt 8
+plot "build/data/speed/neighbours.tsv" using "N":"all pairs" with lines lt 2, "" using "N":"cells as wide as the reach" with lines lt 5, \
+  "" using "N":"ours" with lines lt 1, "" using "N":"pairs found" with lines lt 8
 unset label
 set xrange [20:3e5]; set yrange [1e-6:100]; set xtics 100,10; set ytics 1e-6,100
 set ylabel "seconds" offset 2.2,0
 set label 1 ink(2, "all pairs") at 1.5e3,0.3 right; set label 2 ink(1, "ours") at 1e5,4e-4
 set label 3 ink(5, "plain cells") at 2.9e5,0.8 right
-plot rows("plain_all") using 4:6:7 with yerrorlines lt 2, rows("plain_lists") using 4:6:7 with yerrorlines lt 5, \
-  rows("ours") using 4:6:7 with yerrorlines lt 1
+plot rows("plain_all") using "size":"seconds":"spread" with yerrorlines lt 2, rows("plain_lists") using "size":"seconds":"spread" with yerrorlines lt 5, \
+  rows("ours") using "size":"seconds":"spread" with yerrorlines lt 1
 unset multiplot

@@ -1,7 +1,6 @@
 # Percus-Yevick at phi = .575: the worst error over 3 <= R <= 20 against seconds.
 # data: data/bench-seconds.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-rows(m, l) = sprintf("< awk -F'\\t' '$1==\"py\" && $2==\"%s\" && $3==\"%s\"' data/bench-seconds.tsv", m, l)
+rows(m, l) = recorded(sprintf("task=py;method=%s;case=%s", m, l))
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"
 set yrange [4e-16:3]; set ytics 1e-15,1e3,1; set mxtics 1; set mytics 1
@@ -20,10 +19,10 @@ do for [k = 1:2] {
     set label ink(1, "poles") at 5e-5,1e-4; set label ink(3, "shells") at 5e-6,5e-12
     set label ink(7, "ours") at 1.5e-5,8e-15
   }
-  plot rows("fft-plain", l) using ($6/$5):9:($7/$5) with xerrorlines lt 2, \
-    rows("fft", l) using ($6/$5):9:($7/$5) with xerrorlines lt 5, \
-    rows("poles", l) using ($6/$5):9:($7/$5) with xerrorlines lt 1, \
-    rows("shells", l) using ($6/$5):9:($7/$5) with xerrorbars lt 3 ps 1, \
-    rows("auto", l) using ($6/$5):9:($7/$5) with xerrorbars lt 7 ps 1.2
+  plot rows("fft-plain", l) using (each(1)):"error":(each_err(1)) with xerrorlines lt 2, \
+    rows("fft", l) using (each(1)):"error":(each_err(1)) with xerrorlines lt 5, \
+    rows("poles", l) using (each(1)):"error":(each_err(1)) with xerrorlines lt 1, \
+    rows("shells", l) using (each(1)):"error":(each_err(1)) with xerrorbars lt 3 ps 1, \
+    rows("auto", l) using (each(1)):"error":(each_err(1)) with xerrorbars lt 7 ps 1.2
 }
 unset multiplot

@@ -1,7 +1,6 @@
 # Percus-Yevick at phi = .575: error against terms, near contact, midway and far.
 # data: build/data/speed/summary.tsv
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-rows(m, R) = sprintf("< awk -F'\\t' '$1==\"%s\" && $2==0.575 && $3==%s' build/data/speed/py.tsv", m, R)
+rows(m, R) = columns(sprintf("'where=method=%s;phi=0.575;R=r/a=%s' build/data/speed/py.tsv", m, R))
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"
 set xrange [0.6:1e6]; set yrange [4e-16:3]
@@ -19,9 +18,9 @@ do for [k = 1:3] {
   if (k == 1) { set label ink(1, "poles") at 1,0.01; set label ink(3, "shells") at 5,1.2e-15 }
   if (k == 2) { set label ink(2, "Fourier, plain") at 300,0.5 }
   if (k == 3) { set label ink(5, "jump") at 1.2e4,1e-9 right; set label ink(5, "subtracted") at 1.2e4,4e-11 right }
-  plot rows("fft-plain", R) using 4:5 with linespoints lt 2, \
-    rows("fft", R) using 4:5 with linespoints lt 5, \
-    rows("poles", R) using 4:5 with linespoints lt 1, \
-    rows("shells", R) using 4:5 with points lt 3 ps 1
+  plot rows("fft-plain", R) using "terms":"absolute error" with linespoints lt 2, \
+    rows("fft", R) using "terms":"absolute error" with linespoints lt 5, \
+    rows("poles", R) using "terms":"absolute error" with linespoints lt 1, \
+    rows("shells", R) using "terms":"absolute error" with points lt 3 ps 1
 }
 unset multiplot

@@ -2,9 +2,7 @@
 # data: theory-curves
 set terminal cairolatex pdf size 12.6cm,6.8cm font ",10"
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-quantity(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("theory-curves", "summary.tsv"))))
-kappa = quantity("willis_constant")
+kappa = known("theory-curves", "willis_constant")
 py(c) = (2 + c)/(2*(1 - c)**2) - 1
 kanaun(c) = 1 - 8*c + c*py(c)/kappa
 unset key
@@ -20,11 +18,10 @@ set label 5 ink(3, "Kanaun (13)") at 0.23,-0.33 front
 set label 6 ink(1, "Percus--Yevick") at 0.09,0.82
 set object 1 rectangle from graph 0,graph 0 to graph 1,first 0 fc rgb "#eeeeee" fs solid noborder behind
 set label 7 ink(8, "no pack") at 0.015,-1.42 front
-phis = "0.1 0.2 0.3 0.49 0.575 0.6"
-marks(n) = sprintf("< awk -F'\\t' '$1 ~ /^%s_[0-9.]*_S0$/ {split($1, p, \"_\"); print p[2] \"\\t\" $2}' %s", n, data("theory-curves", "summary.tsv"))
+marks(n) = columns(sprintf("'of=%s_*_S0' %s", n, data("theory-curves", "summary.tsv")))
 plot [x=0:0.64] 1 - 8*x with lines lt 8 dt 1 lw 1.4, 0 with lines lt 2, kanaun(x) with lines lt 3 dt 2, (1 - x)**4/(1 + 2*x)**2 with lines lt 1, \
-  marks("well-stirred") using 1:2 with points lt 8 pt 4 dt 1 ps 0.7, marks("willis") using 1:2 with points lt 2 pt 5 ps 0.5, \
-  marks("willis-kanaun") using 1:2 with points lt 3 pt 9 ps 0.7, marks("py") using 1:2 with points lt 1 pt 7 ps 0.6
+  marks("well-stirred") using "at":"value" with points lt 8 pt 4 dt 1 ps 0.7, marks("willis") using "at":"value" with points lt 2 pt 5 ps 0.5, \
+  marks("willis-kanaun") using "at":"value" with points lt 3 pt 9 ps 0.7, marks("py") using "at":"value" with points lt 1 pt 7 ps 0.6
 unset object; unset label
 a1 = 1.; a2 = 0.313; c = 0.6; xi = 0.333
 c1 = c/(1 + xi); c2 = c - c1; z2 = c1/(2*a1) + c2/(2*a2)

@@ -2,35 +2,35 @@
 # data: unimodal-peaks theory-curves
 set terminal cairolatex pdf size 12.6cm,9.6cm font ",10" fontscale 0.9
 set output out
-ink(n, s) = "\\textcolor[HTML]{".word("0072B2 D55E00 009E73 CC79A7 B57B00 3A94C8 000000 777777", n)."}{".s."}"
-made = data("unimodal-peaks", "made.rdf@retry@60.tsv")
-shaken(rule, M) = data("unimodal-peaks", sprintf("shaken.rdf@%s@%d.tsv", rule, M))
+made = data("unimodal-peaks", "made.rdf@retry@60@0.575.tsv")
+shaken(rule, M) = data("unimodal-peaks", sprintf("shaken.rdf@%s@%d@0.575.tsv", rule, M))
 theory = data("theory-curves", "theory.tsv")
-summary(q) = real(system(sprintf("awk -F'\\t' '$1==\"%s\" {print $2}' %s", q, data("unimodal-peaks", "summary.tsv"))))
 # per cent by which g is changed, of five bins taken together; errors of the differences of the same packs
-change(rule) = "< awk -F'\\t' '/^#/ || !h++ || $1<2.5 || $1>4.5 {next} {r += $1; a += $2 - $4; c += $4; e += $5*$5} ++n == 5 {printf \"%g\\t%g\\t%g\\n\", r/5, 100*c/a, 100*sqrt(e)/a; n = r = a = c = e = 0}' ".shaken(rule, 60)
+change(rule) = columns("bin=5 'where=R>2.5;R<4.5' ".shaken(rule, 60))
+percent(v) = 100*column(v)/(column("g") - column("change"))
 unset key
 set style fill transparent solid 0.25 noborder
 set multiplot
-set bmargin screen 0.125; set tmargin screen 0.985; set lmargin screen 0.075; set rmargin screen 0.43
+set bmargin screen 0.125; set tmargin screen 0.985; set lmargin screen 0.085; set rmargin screen 0.44
 set xrange [2:2.2]; set xtics 0.05; set yrange [0:15.5]; set ytics 2
-set xlabel "$R=r/a$" offset 0,0.7; set ylabel "$g(R)$" offset 1.2
-first = summary("made.contact_first_bin@retry@60")
+set xlabel "$R=r/a$" offset 0,0.7; set label 9 "$g(R)$" at screen 0.022,graph 0.5 center rotate
+first = known("unimodal-peaks", "made.contact_first_bin@retry@60@0.575")
+highest(M) = known("unimodal-peaks", sprintf("shaken.highest_R@retry@%d@0.575", M))
 set label 1 ink(1, "$\\circ$ as grown (CRM)") at graph 0.33,0.93
 set label 2 ink(3, "Metropolis, $M=60$") at graph 0.33,0.87
-set label 3 ink(2, "retry, $M=60$; thin: 10") at graph 0.33,0.81
+set label 3 ink(2, "retry, $M=60$; $+$: 10") at graph 0.33,0.81
 set label 4 ink(7, "Percus--Yevick") at graph 0.33,0.75
 set label 5 ink(8, "Willis") at graph 0.33,0.69
 set label 6 "$\\Diamond$ B: $-43$\\%" at graph 0.33,0.63
 plot theory using "R":"willis_0.575" with lines lt 8 lw 1.4, theory using "R":"py_0.575" with lines lt 7 dt 4, \
-  shaken("retry", 10) using 1:2 with lines lt 2 lw 0.7, \
-  made using 1:2:3 with yerrorlines lt 1 pt 6 ps 0.95, \
-  shaken("metropolis", 60) using 1:2:3 with yerrorlines lt 3 pt 9 ps 0.45, \
-  shaken("retry", 60) using 1:2:3 with yerrorlines lt 2 pt 5 ps 0.35, \
-  "+" using (2.005):(0.57*first) every ::0::0 with points lt 7 pt 12 ps 1.1
+  shaken("retry", 10) using "R":"g" with linespoints lt 2 lw 0.7 pt 1 ps 0.5, \
+  made using "R":"g":"g_err" with yerrorlines lt 1 pt 6 ps 0.95, \
+  shaken("metropolis", 60) using "R":"g":"g_err" with yerrorlines lt 3 pt 9 ps 0.45, \
+  shaken("retry", 60) using "R":"g":"g_err" with yerrorlines lt 2 pt 5 ps 0.35, \
+  for [R in sprintf("2.005 %g", highest(60))] "+" using (real(R)):(0.57*first) every ::0::0 with points lt 7 pt 12 ps 1.1
 unset label
-set lmargin screen 0.535; set rmargin screen 0.985; set bmargin screen 0.40
-set ylabel offset 0.6; set xrange [2.5:4.5]; set xtics 0.5; set format x ""; unset xlabel; set yrange [0:1.9]; set ytics 0.5
+set lmargin screen 0.55; set rmargin screen 0.985; set bmargin screen 0.40
+set label 9 "$g(R)$" at screen 0.49,graph 0.5 center rotate; set xrange [2.5:4.5]; set xtics 0.5; set format x ""; unset xlabel; set yrange [0:1.9]; set ytics 0.5
 h = 2*sqrt(3)
 set object 1 rectangle from 2.75,graph 0 to 2.85,graph 0.86 fc rgb "#dddddd" fs solid 1 noborder behind
 set arrow 1 from h,graph 0 to h,graph 0.86 nohead lt 8 back
@@ -39,15 +39,15 @@ set label 1 ink(8, "$2\\sqrt3$") at h,graph 0.91 center
 set label 2 ink(8, "$4$") at 4,graph 0.91 center
 set label 3 ink(8, "B: gap") at 2.8,graph 0.91 center
 plot theory using "R":"willis_0.575" with lines lt 8 lw 1.4, theory using "R":"py_0.575" with lines lt 7 dt 4, \
-  made using 1:($2-$3):($2+$3) with filledcurves lt 1, made using 1:2 with lines lt 1 lw 1, \
-  shaken("metropolis", 60) using 1:($2-$3):($2+$3) with filledcurves lt 3, shaken("metropolis", 60) using 1:2 with lines lt 3 lw 1, \
-  shaken("retry", 60) using 1:($2-$3):($2+$3) with filledcurves lt 2, shaken("retry", 60) using 1:2 with lines lt 2 lw 1
+  made using "R":(low("g")):(high("g")) with filledcurves lt 1, made using "R":"g" with lines lt 1 lw 1, \
+  shaken("metropolis", 60) using "R":(low("g")):(high("g")) with filledcurves lt 3, shaken("metropolis", 60) using "R":"g" with lines lt 3 lw 1, \
+  shaken("retry", 60) using "R":(low("g")):(high("g")) with filledcurves lt 2, shaken("retry", 60) using "R":"g" with lines lt 2 lw 1
 unset label
 set tmargin screen 0.36; set bmargin screen 0.125
-set format x "%g"; set xlabel "$R=r/a$" offset 0,0.7; set ylabel "change, \\%" offset 0.6; set yrange [-6:6]; set ytics 5
+set format x "%g"; set xlabel "$R=r/a$" offset 0,0.7; set label 9 "change, \\%" at screen 0.49,graph 0.5 center rotate; set yrange [-6:6]; set ytics 5
 set object 1 rectangle from 2.75,graph 0 to 2.85,graph 1
 set arrow 1 from h,graph 0 to h,graph 1 nohead lt 8 back
 set arrow 2 from 4,graph 0 to 4,graph 1 nohead lt 8 back
-plot 0 with lines lt 8, change("metropolis") using ($1-0.006):2:3 with yerrorbars lt 3 pt 9 ps 0.45, \
-  change("retry") using ($1+0.006):2:3 with yerrorbars lt 2 pt 5 ps 0.35
+plot 0 with lines lt 8, change("metropolis") using (column("R") - 0.006):(percent("change")):(percent("change_err")) with yerrorbars lt 3 pt 9 ps 0.45, \
+  change("retry") using (column("R") + 0.006):(percent("change")):(percent("change_err")) with yerrorbars lt 2 pt 5 ps 0.35
 unset multiplot

@@ -40,22 +40,29 @@ function cubic(r, first,   i, j, u, noise, peak, bend, square) {
   error[r] = sqrt(error[r]); x_error[r] = sqrt(x_error[r])
 }
 BEGIN { FS = "\t"; print "# maxima over the coarse share; written by paper/optimum.awk"; print "quantity\tvalue\tstandard_error" }
-FNR == 1 { file++; delete k }
+FNR == 1 { file++; named = 0 }
 /^#/ { next }
-file == 1 { if ($1 == "fraction@0.03@2000") { phi0 = $2; phi0_error = $3 }; next }
-!("fraction" in k) { for (i = 1; i <= NF; i++) k[$i] = i; next }
+!named {
+  named = 1; for (i = NF; i > 0; i--) k[$i] = i
+  for (i = split(file == 1 ? "quantity value standard_error" : "species.[1].radius species.[0].volume number fraction fraction_err", need, " "); i > 0; i--)
+    if (!(need[i] in k)) { print "optimum.awk: " FILENAME ": no column " need[i] > "/dev/stderr"; failed = 1; exit 1 }
+  next
+}
+file == 1 { if ($k["quantity"] == "fraction@0.03@2000") { phi0 = $k["value"]; phi0_error = $k["standard_error"] }; next }
 {
-  if (!($1 in count)) size[sizes++] = $1
-  i = count[$1]++
-  x[$1, i] = $2 / (1 + $2); y[$1, i] = $k["fraction"]; e[$1, i] = $k["fraction_err"]
-  phi1 = x[$1, i] * y[$1, i]; phi2 = y[$1, i] - phi1; at = $1 "@" $2; X = x[$1, i]
-  row("coarse@" at, int($k["number"] * $2 / ($2 + $1 ^ -3) + 0.5))
-  row("coarse_fills@" at, phi1, X * e[$1, i]); row("fine_fills@" at, phi2 / (1 - phi1), (1 - X) / (1 - phi1) ^ 2 * e[$1, i])
-  row("layer@" at, layer = ((1 - phi1) * phi0 - phi2) / (6 * phi0 * phi1 * $1), e[$1, i] / (6 * phi1 * y[$1, i] * $1))
-  if ($2 == 1) depth[$1] = layer
-  if (!($1 in top) || y[$1, i] > y[$1, top[$1]]) top[$1] = i
+  r = $k["species.[1].radius"]; w = $k["species.[0].volume"]
+  if (!(r in count)) size[sizes++] = r
+  i = count[r]++
+  x[r, i] = w / (1 + w); y[r, i] = $k["fraction"]; e[r, i] = $k["fraction_err"]
+  phi1 = x[r, i] * y[r, i]; phi2 = y[r, i] - phi1; at = r "@" w; X = x[r, i]
+  row("coarse@" at, int($k["number"] * w / (w + r ^ -3) + 0.5))
+  row("coarse_fills@" at, phi1, X * e[r, i]); row("fine_fills@" at, phi2 / (1 - phi1), (1 - X) / (1 - phi1) ^ 2 * e[r, i])
+  row("layer@" at, layer = ((1 - phi1) * phi0 - phi2) / (6 * phi0 * phi1 * r), e[r, i] / (6 * phi1 * y[r, i] * r))
+  if (w == 1) depth[r] = layer
+  if (!(r in top) || y[r, i] > y[r, top[r]]) top[r] = i
 }
 END {
+  if (failed) exit 1
   furnas = phi0 * (2 - phi0)
   row("one_size", phi0, phi0_error); row("furnas_X", 1 / (2 - phi0), phi0_error / (2 - phi0) ^ 2)
   row("furnas", furnas, 2 * (1 - phi0) * phi0_error)

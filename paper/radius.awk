@@ -8,8 +8,8 @@
 # h, area, depth: of equal spheres the value at contact, the area above 1 and, over h - 1, its depth w; model@S,
 # model_R@S: the peak of 1 + (h - 1) exp(-y / w), smeared; limit@S, limit_R@S: the same for spreads above w.
 # shaken@S: how much lower the peak of the packs of tomography-shaken is after shaking than before, if smeared.
-# Errors are of bins taken as independent. dir/near.tsv: S, r, g, its error, g smeared; dir/wrong.tsv: S, E and, of bins of
-# 0.02, first and read against first at the right radius.
+# Errors are of bins taken as independent. dir/near.tsv: S, r, g, its error, g smeared; dir/wrong.tsv: S, E (error) and, of
+# bins of 0.02, first and read against first at the right radius.
 function row(name, value, error) { if (error == "") printf "%s\t%.4g\t0\n", name, value; else printf "%s\t%.9g\t%.3g\n", name, value, error }
 function least(x, y) { return x < y ? x : y }
 function most(x, y) { return x > y ? x : y }
@@ -66,12 +66,18 @@ function vertex(S, m, n,   j, c0, c1, c2, S2, S4, N, T0, T1, T2, v0, v1) {
   err = 1.5 * sqrt(v0); err_R = sqrt(v1) / (-2 * c2) * d[S]; top_R = low[S] + (m + 0.5 - c1 / (2 * c2)) * d[S]
   return c0 - c1 * c1 / (4 * c2)
 }
+function column(c,   i) {
+  for (i = 1; i <= NF; i++) if ($i == c) return i
+  print "radius.awk: " FILENAME ": no column " c > "/dev/stderr"; failed = 1; exit 1
+}
 FNR == 1 {
+  named = 0
   S = FILENAME; sub(/.*\//, "", S); sub(/rdf@/, "", S); sub(/\.(rdf\.)?tsv$/, "", S); scale = exp(1.5 * S * S)
   if (S + 0 || S == "0") name[++names] = S
 }
-/^#/ || $1 == "R" { next }
-{ b = bins[S]++; if (b == 0) low[S] = $1; if (b == 1) { d[S] = ($1 - low[S]) / scale; low[S] = low[S] / scale - d[S] / 2 } g[S, b] = $2; e[S, b] = $3 }
+/^#/ { next }
+!named { named = 1; R = column("R"); G = column("g"); E = column("g_err"); next }
+{ b = bins[S]++; if (b == 0) low[S] = $R; if (b == 1) { d[S] = ($R - low[S]) / scale; low[S] = low[S] / scale - d[S] / 2 } g[S, b] = $G; e[S, b] = $E }
 function over_first(S, W) { over[S, W] = stat("read", S, 0.95, W) / stat("first", S, 1, W) - 1 }
 function changes(S, kind, W,   right, right_err, E, x) {
   right = stat(kind, S, 1, W); right_err = err; row(kind "@" S "@" W, right, right_err)
@@ -110,6 +116,8 @@ function figures(S,   b, r, E, right, top) {
 }
 BEGIN { FS = OFS = "\t" }
 END {
+  if (failed) exit 1
+  print "S", "r", "g", "g_err", "smeared" > (dir "/near.tsv"); print "S", "error", "first", "read" > (dir "/wrong.tsv")
   print "quantity\tvalue\tstandard_error"
   for (i = 2; i <= names; i++) for (j = i; j > 1 && name[j] + 0 < name[j - 1] + 0; j--) { S = name[j]; name[j] = name[j - 1]; name[j - 1] = S }
   err = 0; h = g["0", 0] + (g["0", 0] - g["0", 1]) / 2; row("h", h, sqrt(2.25 * e["0", 0] ^ 2 + e["0", 1] ^ 2 / 4))

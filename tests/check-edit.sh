@@ -5,7 +5,7 @@
 unset MAKEFLAGS MAKELEVEL MFLAGS MAKEOVERRIDES
 copy=$tmp/copy
 mkdir "$copy" && tar cf - --exclude=./build --exclude=./.git --exclude='*.scene' . | tar xf - -C "$copy" && cd "$copy" || exit 1
-sed -i 's/^CFLAGS  *:= -O3/CFLAGS := -O0/' Makefile && grep -q '^CFLAGS := -O0' Makefile || exit 1
+sed -i 's/^CFLAGS  *:= -O3 -g1/CFLAGS := -O0/' Makefile && grep -q '^CFLAGS := -O0' Makefile || exit 1
 cat > figures/pairs.scene <<'END'
 dimension = 2; species = ( { radius = 1.0; number = 60; } ); fraction = 0.3;
 make = { method = "rsa"; }; measure = { rdf = { reach = 4.0; }; };

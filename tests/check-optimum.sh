@@ -34,7 +34,7 @@ tell 'the error of the share by moved points' moved X@0.2
 tell 'the error of the maximum by moved points' moved fraction@0.2
 # With the layer 0.1 the fraction is 0.64/(1 - X (1 - 0.64 (1 + 0.6 R))).
 layered() {
-  awk 'BEGIN { OFS = "\t"; OFMT = "%.15g"; print "radius", "volume", "number", "fraction", "fraction_err"
+  awk 'BEGIN { OFS = "\t"; OFMT = "%.15g"; print "species.[1].radius", "species.[0].volume", "number", "fraction", "fraction_err"
     n = split("0.3 0.2 0.15", r, " "); m = split("1 1.5 2 2.5 3", p, " ")
     for (i = 1; i <= n; i++) for (j = 1; j <= m; j++) { X = p[j] / (1 + p[j])
       print r[i], p[j], 2000, 0.64 / (1 - X * (1 - 0.64 * (1 + 0.6 * r[i]))), 0.002 } }' > "$tmp/sweep.tsv"

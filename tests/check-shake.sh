@@ -39,9 +39,31 @@ marks() { awk -F'\t' '/^#/ { next } !h++ { for (i = 1; i <= NF; i++) c[$i] = i; 
     "$tmp/one/shaking.tsv" && [ "$(value contact_first_bin_0 "$tmp/one")" = "$(value made.contact_first_bin "$tmp/one")" ] &&
     [ "$(value contact_first_bin_20 "$tmp/one")" = "$(value shaken.contact_first_bin "$tmp/one")" ]; }
 tell 'the marks begin before and end after' marks
+last() { [ -n "$(value "change.$1" "$tmp/one")" ] && [ "$(grep -P "^change.${1}_20\t" "$tmp/one/summary.tsv" | cut -f2-)" = \
+  "$(grep -P "^change.$1\t" "$tmp/one/summary.tsv" | cut -f2-)" ]; }
+tell 'the change at the last mark is that of all shakes' last contact_first_bin
+highest() { local stage; for stage in made shaken; do
+    awk -F'\t' '/^#/ || $1 == "R" { next } !most || $2 > most { most = $2; R = $1; e = $3 } END { print R, most, e }' "$tmp/one/$stage.rdf.tsv" > "$tmp/a"
+    awk -F'\t' -v q="$stage.highest" '$1 == q "_R" { R = $2 } $1 == q "_g" { print R, $2, $3 }' "$tmp/one/summary.tsv" > "$tmp/b"
+    [ -s "$tmp/b" ] && cmp -s "$tmp/a" "$tmp/b" || return 1; done; changes highest_g; }
+tell 'the highest bin is that of the table' highest
+windows() { awk -F'\t' '/^#/ { next } FILENAME ~ /made/ { made[$1] = $2; next } FILENAME ~ /shaken.hist/ { shaken[$1] = $2; next }
+    $1 ~ /^change.p_/ { n = substr($1, 10); d = shaken[n] / made[n] - 1 - $2; if (d * d > 1e-18) bad++; some += $2 != 0 } END { exit !(some > 4 && !bad) }' \
+    "$tmp"/one/{made.histogram,shaken.histogram,summary}.tsv; }
+tell 'windows with so many centres have their changes' windows
 none() { sed 's/sweeps = 20; marks = [^;]*;/sweeps = 0;/' "$tmp/one.scene" > "$tmp/none.scene"
   run none none && cmp -s "$tmp"/none/{made.,}pack-0.xyz && [ "$(value change.contact "$tmp/none")" = 0 ]; }
 tell 'no sweep changes nothing' none
+
+# --- how certain the place of a trough is: its errors against its scatter over 12 seeds, whose ratio is known to a fifth
+say flat 'dimension = 2; realizations = 16; species = ( { radius = 1.0; number = 300; } ); fraction = 0.25; make = { method = "rsa"; };
+measure = { rdf = { reach = 6.0; step = 0.05; gaps = [2.5, 5.5]; }; };'
+scatter() {
+  for s in {1..12}; do run flat flat --set seed=$s || return 1; grep "^$1" "$tmp/flat/summary.tsv"; done > "$tmp/a"
+  awk '{ s += $2; t += $2 * $2; e += $3 * $3 } END { r = sqrt((t - s * s / NR) / (NR - 1) / (e / NR)); exit !(NR == 12 && r > 0.6 && r < 1.7) }' "$tmp/a"
+}
+tell 'the place of a trough is as uncertain as it scatters' scatter gap1_R
+tell 'and its height' scatter gap1_g
 
 # --- rules and samples
 for rule in retry collision collision-longest chain newton dynamics; do

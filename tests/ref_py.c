@@ -1,13 +1,19 @@
 /* The finite sum over shells, with each residue a contour integral: the mean
    over NODES points of a circle about each zero of S, in 113 bits. Neither the
    power series of src/py.nw nor its poles are used. */
-#define __STDC_WANT_IEC_60559_TYPES_EXT__ 1
 #include "ref_py.h"
 #include <complex.h>
-#include <math.h>
 
+/* clang knows the type by its older name only, and the C library then does not declare its functions. */
+#ifdef __clang__
+__extension__ typedef __float128 Quad;
+#else
 __extension__ typedef _Float128 Quad;
-__extension__ typedef _Complex _Float128 Complex;
+#endif
+typedef _Complex float __attribute__((mode(TC))) Complex;
+Quad acosf128(Quad), cosf128(Quad), sinf128(Quad), fabsf128(Quad);
+Quad powf128(Quad, Quad), crealf128(Complex), cimagf128(Complex), cabsf128(Complex);
+Complex cexpf128(Complex);
 enum { NODES = 128 };
 
 static Complex cubic(Quad phi, Complex t, Complex *slope) {

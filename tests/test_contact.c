@@ -1,6 +1,7 @@
 /* The contact value: bias of the fit on exact profiles, counts drawn from a
    known g, packs of a known contact value. */
 #include "contact.h"
+#include "many.h"
 #include "outcome.h"
 #include "pairs.h"
 #include "rng.h"
@@ -93,7 +94,8 @@ static void test_polynomial(void) {
 
 /* Poisson counts of a steep known g: mean and error of the linear fit. */
 static void test_error(void) {
-  enum { BINS = 64, P = 4000 };
+  enum { BINS = 64 };
+  const int P = as_many(1500, 4000);
   gsl_rng *rng = rng_gsl_alloc(rng_stream(91, 0, RNG_TEST));
   double sum = 0, square = 0, error = 0;
   for (int p = 0; p < P; p++) {
@@ -158,7 +160,8 @@ static double by_likelihood(int dim, double mean, double window) {
 }
 
 static void test_packs(int dim) {
-  enum { P = 400, FINE = 400 };
+  enum { FINE = 400 };
+  const int P = as_many(120, 400);
   int m = dim == 2 ? 30 : 10;
   double sigma = 0.731, kappa = 20, W = 0.05;
   size_t pairs = dim == 2 ? 900 : 1000;
@@ -175,8 +178,8 @@ static void test_packs(int dim) {
                 ((dim == 2 ? 2 : 4) * M_PI * pow(sigma, dim));
   double exact = (double)pairs / norm * unit, first = 0, u_sum = 0, n_sum = 0;
   double fixed = 0;
-  for (uint64_t p = 0; p < P; p++) {
-    Rng rng = rng_stream(4, p, RNG_TEST);
+  for (int p = 0; p < P; p++) {
+    Rng rng = rng_stream(4, (uint64_t)p, RNG_TEST);
     dimers(pack, m, sigma, kappa, &rng);
     Contact c = contact_value(pack, sigma, CONTACT_DEGREE, 0.35);
     mean += c.value / P;
@@ -289,7 +292,8 @@ static void test_small(void) {
 /* 64 couples of centres far from one another, each at a distance uniform in the shell: the window
    that ends at the 20th of them must not count it as if it had come by chance. */
 static void test_last_pair(void) {
-  enum { COUPLES = 64, TRIALS = 1500 };
+  enum { COUPLES = 64 };
+  const int TRIALS = as_many(1000, 1500);
   Box box = {3, {20, 20, 20}};
   Species species = {"A", 0.5, 2 * COUPLES};
   Rng rng = rng_stream(20, 0, RNG_TEST);

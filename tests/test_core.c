@@ -2,6 +2,7 @@
 #include "core.h"
 #include "outcome.h"
 #include "rng.h"
+#include "same.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
 #include <math.h>
@@ -127,7 +128,7 @@ static void parts(int dim, bool own) {
   gsl_test(part->species[0].count != count[0] ||
                part->species[1].count != count[1] || part->kinds != 2,
            "%d-D: with its counts", dim);
-  gsl_test(part->open != 4.5 || memcmp(&part->box, &pack->box, sizeof(Box)),
+  gsl_test(part->open != 4.5 || !same_box(&part->box, &pack->box),
            "%d-D: in the same box, as finite", dim);
   gsl_test((part->radius != NULL) != own, "%d-D: and radii as before", dim);
   pack_free(&part);

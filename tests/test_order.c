@@ -1,5 +1,6 @@
 /* tests/test_order.c: against brute force, closed forms and ideal gases */
 #include "cells.h"
+#include "many.h"
 #include "lattice.h"
 #include "order.h"
 #include "outcome.h"
@@ -512,14 +513,15 @@ static void test_growing(void) {
 
 /* One random window a pack: independent, and binomial. */
 static void test_binomial(int dim, double radius) {
-  enum { N = 37, PACKS = 4000 };
+  enum { N = 37 };
+  const int PACKS = as_many(1500, 4000);
   const double side[3] = {2.3, 1.9, 2.7};
   Pack *pack = gas(dim, N, 0.1, side);
   Windows *windows = order_windows_alloc();
   double seen[N + 1] = {0}, chi = 0, rest = PACKS, rare = PACKS;
   double share = pack_ball(dim, radius) / box_volume(&pack->box);
   int bins = 0;
-  for (uint64_t k = 0; k < PACKS; k++) {
+  for (uint64_t k = 0; k < (uint64_t)PACKS; k++) {
     Rng rng = rng_stream(31, k, RNG_TEST),
         eyes = rng_stream(31, k, RNG_MEASURE);
     throw(pack, &rng);
@@ -547,14 +549,15 @@ static void test_binomial(int dim, double radius) {
 /* Windows on particles: each p(n) within 4 standard errors over packs, whose
    windows overlap, and binomial with one particle less. */
 static void test_around(int dim, double radius) {
-  enum { N = 29, PACKS = 1500 };
+  enum { N = 29 };
+  const int PACKS = as_many(600, 1500);
   const double side[3] = {2.3, 1.9, 2.7};
   Pack *pack = gas(dim, N, 0.1, side);
   Windows *windows = order_windows_alloc();
   double sum[N] = {0}, squares[N] = {0}, worst = 0;
   double share = pack_ball(dim, radius) / box_volume(&pack->box);
   int bins = 0;
-  for (uint64_t k = 0; k < PACKS; k++) {
+  for (uint64_t k = 0; k < (uint64_t)PACKS; k++) {
     Rng rng = rng_stream(47, k, RNG_TEST);
     throw(pack, &rng);
     order_windows(pack, radius, WINDOWS_AROUND, 0, NULL, windows);
@@ -579,7 +582,8 @@ static void test_around(int dim, double radius) {
 
 /* The mean distance of a gas is a beta function; over 30 packs, 4 se. */
 static void test_gas_nearest(int dim, size_t n) {
-  enum { PACKS = 30, BINS = 12 };
+  enum { BINS = 12 };
+  const int PACKS = as_many(16, 30);
   const double side[3] = {13.1, 11.7, 12.3};
   Pack *pack = gas(dim, n, 0.1, side);
   double *nearest = memory(n, sizeof *nearest), sum = 0, squares = 0;
@@ -590,7 +594,7 @@ static void test_gas_nearest(int dim, size_t n) {
       pow(volume / unit, 1. / dim) * gsl_sf_beta(1. / dim, (double)n) / dim;
   gsl_test_rel(exact * pow((double)n / volume, 1. / dim),
                dim == 3 ? 0.554 : 0.5, 1e-3, "the limit of large N");
-  for (uint64_t k = 0; k < PACKS; k++) {
+  for (uint64_t k = 0; k < (uint64_t)PACKS; k++) {
     Rng rng = rng_stream(61, k, RNG_TEST);
     throw(pack, &rng);
     double mean = order_nearest(pack, false, nearest);
@@ -604,7 +608,7 @@ static void test_gas_nearest(int dim, size_t n) {
   }
   double se = sqrt((squares - sum * sum) / (PACKS - 1));
   gsl_test_abs(sum, exact, 4 * se, "nearest neighbour of a gas, dim = %d", dim);
-  gsl_test(!(se < 2e-3 * exact), "whose error is small");
+  gsl_test(!(se < 3e-3 * exact), "whose error is small");
   for (int b = 0; b < BINS; b++) {
     double in = pack_ball(dim, b * step) / volume, more = (double)n - 1;
     double out = pack_ball(dim, (b + 1) * step) / volume;
@@ -806,12 +810,12 @@ static void test_turned(void) {
 /* Independent bonds are a random walk: B (B Q^2 - 1) is 0 on average, B the
    number of bonds; 4 standard errors. */
 static void test_walk(int dim) {
-  enum { PACKS = 3000 };
+  const int PACKS = as_many(1200, 3000);
   const double side[3] = {2.3, 2.1, 1.9};
   Pack *pack = gas(dim, 60, 0.13, side);
   BondRule rule = order_rule(dim);
   double sum = 0, squares = 0;
-  for (uint64_t k = 0; k < PACKS; k++) {
+  for (uint64_t k = 0; k < (uint64_t)PACKS; k++) {
     Rng rng = rng_stream(83, k, RNG_TEST);
     throw(pack, &rng);
     BondOrder order = order_bonds(pack, &rule, NULL);
@@ -822,7 +826,7 @@ static void test_walk(int dim) {
   }
   double se = sqrt((squares - sum * sum) / (PACKS - 1));
   gsl_test_abs(sum, 0, 4 * se, "bonds of a gas walk at random, dim = %d", dim);
-  gsl_test(!(se < 5), "with an error that means something: %g", se);
+  gsl_test(!(se < 8), "with an error that means something: %g", se);
   pack_free(&pack);
 }
 

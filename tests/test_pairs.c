@@ -1,5 +1,6 @@
 /* Pair counts, g, K, I, rings and the range of order. */
 #include "core.h"
+#include "many.h"
 #include "outcome.h"
 #include "pairs.h"
 #include "ref_pairs.h"
@@ -154,6 +155,7 @@ static void test_ideal(int dim) {
   const double side[3] = {13.7, 11.9, 12.3};
   double step = 5.9 / BINS, sum[BINS] = {0}, square[BINS] = {0}, K[BINS] = {0};
   double small[BINS] = {0}, K2[BINS] = {0};
+  const int sevens = as_many(150, 500);
   size_t n = 900;
   for (uint64_t p = 0; p < P; p++) {
     uint64_t count[BINS];
@@ -170,8 +172,8 @@ static void test_ideal(int dim) {
       K2[b] += k[b] * k[b] / P;
     }
     /* seven points: N^2 for N (N - 1) would be off by a seventh */
-    for (int q = 0; q < 500; q++) {
-      pack = uniform(dim, side, 7, 100000 + 500 * p + (uint64_t)q);
+    for (int q = 0; q < sevens; q++) {
+      pack = uniform(dim, side, 7, 100000 + (uint64_t)sevens * p + (uint64_t)q);
       pairs_count(pack, 0, step, BINS, count);
       pairs_g(pack, count, 0, step, BINS, PAIRS_EXACT, g);
       pack_free(&pack);
@@ -188,7 +190,7 @@ static void test_ideal(int dim) {
     double z = (sum[b] / P - 1) / se;
     worst = GSL_MAX(worst, fabs(z));
     chi += z * z;
-    few += small[b] / (500 * P);
+    few += small[b] / (sevens * P);
     double exact_K = pairs_shell(dim, 0, (b + 1) * step);
     double sd = sqrt((K2[b] - K[b] * K[b]) / (P - 1));
     worst_K = GSL_MAX(worst_K, fabs(K[b] - exact_K) / sd);
@@ -201,7 +203,7 @@ static void test_ideal(int dim) {
   gsl_test(!(worst_K < 4.5), "ideal gas %d-D: K = omega r^d (%.2f se)", dim,
            worst_K);
   double ball = pairs_shell(dim, 0, 5.9);
-  double se = ball * sqrt(volume / ball / (21. * 500 * P));
+  double se = ball * sqrt(volume / ball / (21. * sevens * P));
   gsl_test(!(fabs(few - ball) < 4 * se), "seven points %d-D: %.4f se", dim,
            (few - ball) / se);
 }
@@ -285,7 +287,7 @@ static void test_half(void) {
   uint64_t right = 0, central = 0, count;
   double a, b, step = 0.1;
   Pack *pack = empty(3, side, 150);
-  for (uint64_t p = 0; p < 200; p++) {
+  for (uint64_t p = 0; p < (uint64_t)as_many(80, 200); p++) {
     Rng rng = rng_stream(50, p, RNG_TEST);
     for (size_t i = 0; i < pack->n; i++) {
       double nearest = 0;
@@ -389,7 +391,8 @@ static void test_lattice_K(void) {
 }
 
 static void test_range(void) {
-  enum { BINS = 200, P = 30, TRIES = 400 };
+  enum { BINS = 200, P = 30 };
+  const int TRIES = as_many(150, 400);
   double R[BINS], g[BINS], se[BINS];
   gsl_rng *rng = rng_gsl_alloc(rng_stream(77, 0, RNG_TEST));
   for (int kind = 0; kind < 3; kind++) {
@@ -417,7 +420,7 @@ static void test_range(void) {
       mean += r / TRIES;
     }
     if (kind < 2) /* at most 20 of 400, + 4 se of 4.4 */
-      gsl_test(late > 37, "false alarms of r_g: %d of %d", late, TRIES);
+      gsl_test(late > .05 * TRIES + 4 * sqrt(.05 * .95 * TRIES), "false alarms of r_g: %d of %d", late, TRIES);
     if (kind == 1)
       gsl_test_abs(mean, 4, 0.1, "r_g of a step at 4");
     if (kind == 2)
@@ -440,7 +443,8 @@ static void test_range(void) {
 /* A parabola is found exactly, on whatever side of a bin its vertex lies; a
    smooth peak without bias under noise, where the highest bin has some. */
 static void test_extrema(void) {
-  enum { BINS = 200, REPEATS = 400 };
+  enum { BINS = 200 };
+  const int REPEATS = as_many(200, 400);
   double R[BINS], g[BINS], place = 0, height = 0, highest = 0, square = 0;
   for (int b = 0; b < BINS; b++)
     R[b] = 2.005 + 0.01 * b;
@@ -573,7 +577,8 @@ static void slow_expect(const Pack *pack, const bool of[], double origin,
 /* Points of a Poisson process in a ball: with centres whose window lies in it g
    is 1, at any distance; with all for centres it falls off. */
 static void test_minus(int dim) {
-  enum { PACKS = 400, BINS = 8 };
+  enum { BINS = 8 };
+  const int PACKS = as_many(150, 400);
   const double R = 4, step = 0.25, density = dim == 2 ? 5 : 1.5;
   const double side[3] = {17, 17, 17};
   double sum[2][BINS] = {{0}}, square[2][BINS] = {{0}}, worst = 0;
@@ -628,7 +633,8 @@ static void test_minus(int dim) {
    is expected is what is found, but for the images of the centres themselves; and
    it is what a double loop counts. */
 static void test_expect(int dim) {
-  enum { PACKS = 200, BINS = 6, N = 300 };
+  enum { BINS = 6, N = 300 };
+  const int PACKS = as_many(60, 200);
   const double R = 4, step = 0.25, side[3] = {17, 17, 17};
   double sum[BINS] = {0}, square[BINS] = {0}, worst = 0, differ = 0, found = 0;
   gsl_rng *rng = rng_gsl_alloc(rng_stream(37, (uint64_t)dim, RNG_TEST));

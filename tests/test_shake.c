@@ -1,6 +1,7 @@
 /* Shaking: against all pairs with the same random numbers, against exact
    densities, and against overlap. */
 #include "crm.h"
+#include "many.h"
 #include "shake.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
@@ -307,7 +308,8 @@ static void balance(int dim, size_t n, double R, ShakeRule rule, int tries,
 enum { SIDE = 5 };
 static double seen_in_layer(double R, ShakeRule rule, int tries, double layer,
                             double *se) {
-  enum { BLOCKS = 40, EACH = 1500 };
+  enum { BLOCKS = 40 };
+  const int EACH = as_many(600, 1500);
   Species s = {.name = "A", .radius = 1, .count = 2};
   Box box = {.dim = 2, .side = {SIDE, SIDE, 0}};
   Pack *pack = pack_alloc(&box, &s, 1, false);
@@ -388,7 +390,8 @@ static void two_discs(double R, int tries, double layer) {
 /* The closed forms on a line, against the rules themselves: the share of the
    first tenth. */
 static void on_a_line(int tries) {
-  enum { STEPS = 1000000, BLOCKS = 50 };
+  enum { BLOCKS = 50 };
+  const int STEPS = as_many(300000, 1000000);
   Rng rng = rng_stream(11, 0, RNG_TEST);
   double y = .3, q = pow(.5, tries), sum = 0, square = 0;
   for (int b = 0; b < BLOCKS; b++) {

@@ -1,6 +1,7 @@
 /* tests/test_xyz.c: what is written is read back bit for bit; errors say where */
 #include "outcome.h"
 #include "rng.h"
+#include "same.h"
 #include "xyz.h"
 #include <float.h>
 #include <gsl/gsl_math.h>
@@ -68,7 +69,7 @@ static void round_trip(int dim, const Species species[], int kinds, bool own, co
     return;
   write_to(again, back, "seed=17 realization=3");
   size_t n = pack->n;
-  gsl_test(back->n != n || back->box.dim != dim || memcmp(back->box.side, pack->box.side, sizeof pack->box.side) != 0, "%d-D, %s: number and box", dim, what);
+  gsl_test(back->n != n || !same_box(&back->box, &pack->box), "%d-D, %s: number and box", dim, what);
   gsl_test(!same_array(pack->x, back->x, n * (size_t)dim * sizeof(double)), "%d-D, %s: positions bit for bit", dim, what);
   gsl_test(!same_array(pack->radius, back->radius, n * sizeof(double)), "%d-D, %s: radii", dim, what);
   gsl_test(!same_array(pack->kind, back->kind, n * sizeof(uint16_t)), "%d-D, %s: indices", dim, what);
@@ -137,7 +138,7 @@ static void finite_trip(int dim, size_t n, bool own) {
   gsl_test(!back, "%d-D, finite: is read back (%s)", dim, out.text);
   if (!back)
     return;
-  gsl_test(back->n != pack->n || back->open != M_PI || memcmp(&back->box, &box, sizeof box) != 0,
+  gsl_test(back->n != pack->n || back->open != M_PI || !same_box(&back->box, &box),
            "%d-D, finite: radius and box", dim);
   gsl_test(n > 0 && (!same_array(pack->x, back->x, pack->n * (size_t)dim * sizeof(double)) ||
                      !same_array(pack->radius, back->radius, pack->n * sizeof(double)) || !same_species(pack, back)),
@@ -170,7 +171,7 @@ static void sample(int dim, const char *open, double told, const double origin[]
     gsl_test(!(pack->box.side[k] >= 4 * far), "%d-D, a sample: a wide box", dim);
   write_to(path, pack, "");
   Pack *back = xyz_read(path, &out);
-  gsl_test(!back || back->open != told || memcmp(&back->box, &pack->box, sizeof(Box)) ||
+  gsl_test(!back || back->open != told || !same_box(&back->box, &pack->box) ||
                !same_array(pack->x, back->x, 3 * (size_t)dim * sizeof(double)),
            "%d-D, a sample: once placed it stays", dim);
   pack_free(&back);
