@@ -87,6 +87,12 @@ static void end(Bench *bench, Table *table) {
 }
 
 /* ------------------------------------------------------------ seconds */
+/* Of so many packs a draft takes at most four. */
+#ifdef DRAFT
+#define FEW(n) ((n) < 4 ? (n) : 4)
+#else
+#define FEW(n) (n)
+#endif
 enum { REPEAT = 9, CASES = 8 };
 typedef struct {
   const char *method; /* "plain..." is what the others are compared with */
@@ -1479,7 +1485,7 @@ static double crm_run(Engine *engine, double collisions) {
 }
 
 static const double CRM_PHI = 0.49, CRM_FAST = 0.5;
-enum { CRM_N = 1000, CRM_BLOCKS = 128, CRM_EACH = 8, CRM_CHAINS = 16 };
+enum { CRM_N = 1000, CRM_BLOCKS = 128, CRM_EACH = 8, CRM_CHAINS = FEW(16) };
 
 /* The contact value from the collisions of so long a time. */
 static double crm_contact(const Engine *engine, double virial, double time) {
@@ -1561,7 +1567,7 @@ static void crm_estimators(Bench *bench) {
 
 /* The contact value by extrapolation: right after landing at a rate of growth,
    and of the fastest after a rest. */
-enum { CRM_PACKS = 48, CRM_RESTS = 7 };
+enum { CRM_PACKS = FEW(48), CRM_RESTS = 7 };
 
 static void crm_row(Bench *bench, const Table *table, const char *how,
                     double parameter, double spent, const double value[],
@@ -1603,8 +1609,8 @@ static void crm_rates(Bench *bench) {
   static const struct {
     double gamma;
     size_t packs;
-  } job[] = {{0.5, 48},  {0.2, 48},  {0.1, 48},
-             {0.03, 24}, {0.01, 12}, {0.003, 4}};
+  } job[] = {{0.5, FEW(48)},  {0.2, FEW(48)},  {0.1, FEW(48)},
+             {0.03, FEW(24)}, {0.01, FEW(12)}, {0.003, FEW(4)}};
   Table table = begin(bench, "crm-rate.tsv",
                       "The contact value at .49 after growth, percent off",
                       "method\trate, or collisions of rest\tcollisions a "
@@ -1984,7 +1990,7 @@ static void shake_seconds(Bench *bench) {
 /* ------------------------------------------------------------ gravity */
 typedef enum { MADE_LITERAL, MADE_ADAPTIVE, MADE } Making;
 static const char *const making[MADE] = {"literal", "adaptive"};
-enum { GRAVITY_PACKS = 8, GRAVITY_SIZES = 5 };
+enum { GRAVITY_PACKS = FEW(8), GRAVITY_SIZES = 5 };
 static const size_t gravity_sizes[MADE][GRAVITY_SIZES + 1] = {
     {1000, 3000, 10000, 30000, 100000}, {1000, 3000, 10000, 30000, 0}};
 
