@@ -20,11 +20,11 @@ static const struct {
     {"rsa", "fraction = \"max\"; side = 11.0; species = ( { radius = 1.5; share = 1; }, { radius = 0.75; share = 2; } ); make = { method = \"rsa\"; };"},
     {"rsa", "fraction = 0.2; gap = 0.25; species = ( { radius = 1.0; number = 50; }, { radius = 2.0; number = 9; } ); make = { method = \"rsa\"; };"},
     {"crm", "fraction = 0.5; species = ( { radius = 1.5; number = 90; } ); make = { method = \"crm\"; growth = 0.1; };"},
-    {"crm", "fraction = \"max\"; species = ( { radius = 1.0; number = 40; }, { radius = 1.7; number = 20; } ); make = { method = \"crm\"; growth = 0.5; };"},
+    {"crm", "fraction = \"max\"; species = ( { radius = 1.0; number = 25; }, { radius = 1.7; number = 10; } ); make = { method = \"crm\"; growth = 0.5; pressure = 1e4; };"},
     {"lattice", "species = ( { radius = 1.5; } ); make = { method = \"lattice\"; lattice = \"bcc\"; n_l = 1; };"},
     {"points", "fraction = 0.4; species = ( { radius = 1.5; number = 90; } ); make = { method = \"points\"; };"},
-    {"gravity", "species = ( { radius = 1.0; number = 300; }, { radius = 2.5; number = 7; } ); make = { method = \"gravity\"; };"},
-    {"gravity", "fraction = 0.3; dilute = {}; species = ( { radius = 1.0; number = 300; } ); make = { method = \"gravity\"; };"},
+    {"gravity", "species = ( { radius = 1.0; number = 120; }, { radius = 2.5; number = 4; } ); make = { method = \"gravity\"; };"},
+    {"gravity", "fraction = 0.3; dilute = {}; species = ( { radius = 1.0; number = 120; } ); make = { method = \"gravity\"; };"},
 };
 
 static Scene *scene_of(const char *text) {
@@ -80,8 +80,8 @@ static void test_list(const Entry *const list[], const char *what) {
 /* A measure that foretells its pairs counts about as many. */
 static void test_pairs(void) {
   static const char text[] =
-      "fraction = 0.35; realizations = 1; species = ( { radius = 0.75; number = 4000; } ); make = { method = \"rsa\"; };\n"
-      "measure = { rdf = { reach = 6.5; }; K = { reach = 5.25; }; I = { reach = 4.0; }; };";
+      "fraction = 0.35; realizations = 1; species = ( { radius = 0.75; number = 1500; } ); make = { method = \"rsa\"; };\n"
+      "measure = { rdf = { reach = 5.5; }; K = { reach = 5.25; }; I = { reach = 4.0; }; };";
   Scene *scene = scene_of(text);
   if (!scene)
     return;
