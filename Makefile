@@ -38,7 +38,7 @@ CC       := gcc
 endif
 CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno \
             -fno-trapping-math -fopenmp -ffile-prefix-map=$(CURDIR)=.
-WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(WERROR)
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers $(WERROR)
 LIBS     := -lconfig -lgsl -lgslcblas -lm
 # Without vectors, of which clang would complain.
 SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
