@@ -2088,7 +2088,9 @@ static void say_power(Bench *bench, const Point *p, const Point *q, double own,
 static Point gravity_size(Bench *bench, Table *table, Making how, int dim,
                           size_t n, double *scatter, double *worst) {
   double row[GRAVITY_PACKS][G_COLUMNS], mean[G_COLUMNS], error[G_COLUMNS];
-  size_t packs = n < 3000 ? 8 : n < 10000 ? 4 : n == 10000 ? 3 : 1;
+  size_t packs = n < 3000    ? GRAVITY_PACKS
+                 : n < 10000 ? 4
+                             : n == 10000 ? 3 : 1;
   for (size_t k = 0; k < packs; k++)
     gravity_row(how, dim, n, k, row[k]);
   for (size_t k = 0; k < packs; k++)
