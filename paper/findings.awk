@@ -27,7 +27,7 @@ function measure(what,   term, parts, v, w, f) {
   if (parts < 3) return v
   w = one(term[3]); f = found
   if (term[2] == "-") { e = sqrt(e * e + f * f); return v - w }
-  if (w == 0 && !draft) { wrong("nothing to divide by: " what); return 0 }
+  if (w == 0) { if (draft) missing = 1; else wrong("nothing to divide by: " what); return 0 }
   e = sqrt((e / w) ^ 2 + (v * f / w / w) ^ 2)
   return v / w
 }
