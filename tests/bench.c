@@ -87,9 +87,9 @@ static void end(Bench *bench, Table *table) {
 }
 
 /* ------------------------------------------------------------ seconds */
-/* Of so many packs a draft takes at most four. */
+/* Of so many packs a draft takes at most two. */
 #ifdef DRAFT
-#define FEW(n) ((n) < 4 ? (n) : 4)
+#define FEW(n) ((n) < 2 ? (n) : 2)
 #else
 #define FEW(n) (n)
 #endif
