@@ -37,6 +37,6 @@ END {
       print "arrow\t" x(a) "\t" y(a) "\t" dx * s "\t" dy * s "\t"
     }
   }
-  for (i = 1; i <= n; i++) print "module\t" x(order[i]) "\t" y(order[i]) "\t0\t0\t\\\\ttfamily " order[i]
-  for (i = 1; i <= part; i++) if (rows[i]) print "part\t" (i - 1) * 2 "\t0.75\t0\t0\t\\\\scshape " title[i]
+  for (i = 1; i <= n; i++) print "module\t" x(order[i]) "\t" y(order[i]) "\t0\t0\t" order[i]
+  for (i = 1; i <= part; i++) if (rows[i]) print "part\t" (i - 1) * 2 "\t0.75\t0\t0\t" title[i]
 }

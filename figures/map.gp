@@ -11,5 +11,5 @@ set xrange [-0.95:8.95]; set yrange [row_min - 0.5:1.1]
 set style arrow 1 head filled size screen 0.009,18 lw 0.6 lc rgb "#8a97a8"
 plot kind("arrow") using "x":"y":"dx":"dy" with vectors arrowstyle 1, \
   kind("module") using "x":"y":(0.47):(0.2) with boxxyerror fs solid 1 fc rgb "#eef3f8" lc rgb "#0072b2" lw 0.8, \
-  kind("module") using "x":"y":"words" with labels, \
-  kind("part") using "x":"y":"words" with labels
+  kind("module") using "x":"y":('\\ttfamily '.stringcolumn("words")) with labels, \
+  kind("part") using "x":"y":('\\scshape '.stringcolumn("words")) with labels

@@ -54,6 +54,7 @@ tell 'a table without the column, in a formula' refused 'no column with header "
 tell 'a table that is not there' refused 'Cannot find or open file' 's/3 with lines/"none.tsv" using "R":"g" with lines/'
 tell 'a filter that fails' refused 'no column h' "s|3 with lines|columns('where=h=3 '.t) using \"R\":\"g\" with lines|"
 tell 'an axis without extent' refused 'empty y range' 's/\[1:10\]/[1:1]/'
+tell 'a command of LaTeX that became a tab' refused 'a tab in a label' 's/"R":"g":"kind"/"R":"g":("\\\\ttfamily ".stringcolumn("kind"))/'
 tell 'no plot at all' refused 'plots nothing' '/^plot/d'
 
 # The two that were broken: tables of shaken packs have two columns more than others.
