@@ -20,16 +20,20 @@ export TZ := UTC
 export LC_ALL := C.UTF-8
 export OMP_WAIT_POLICY := passive
 
-# The book's chapters in reading order, as the spine names them; the modules are
-# the chapters that hold C; the figures are what figures/ holds.
+# The book's chapters in reading order, as the spine names them, FOLDER/NAME; the modules are the chapters that hold C; the
+# figures are what the folders of figures/ hold. Names are unique, so that a rule finds its file in whatever folder it lies.
 CHAPTERS := $(shell sed -n 's/^%chapter //p' src.nw)
 WEB      := src.nw $(CHAPTERS:%=src/%.nw)
-MODULES  := $(shell grep -l '^<<\[\[[a-z_]*\.c\]\]>>=' $(CHAPTERS:%=src/%.nw) | \
-              sed 's|src/\(.*\)\.nw|\1|')
+MODULES  := $(patsubst %.nw,%,$(notdir $(shell grep -l '^<<\[\[[a-z_]*\.h\]\]>>=' $(CHAPTERS:%=src/%.nw))))
 ENTRIES  := $(shell sed -n 's/^<<\[\[\([a-z_]*_entry\)\.c\]\]>>=/\1/p' $(CHAPTERS:%=src/%.nw) | sort -u)
-SCENES   := $(patsubst figures/%.scene,%,$(sort $(wildcard figures/*.scene)))
-DRAWINGS := $(filter-out figures/style.gp,$(sort $(wildcard figures/*.gp figures/*.sh)))
+SCENES   := $(basename $(notdir $(sort $(wildcard figures/*/*.scene))))
+DRAWINGS := $(filter-out figures/tools/%,$(sort $(wildcard figures/*/*.gp figures/*/*.sh)))
 FIGURES  := $(basename $(notdir $(DRAWINGS)))
+# What is derived from tables of scenes, by a script whose line `# from: SCENE/FILE ...` names these.
+DERIVED  := $(basename $(notdir $(shell grep -l '^. from: ' figures/*/*.awk)))
+vpath %.nw $(sort $(dir $(CHAPTERS:%=src/%)))
+$(foreach kind,scene gp sh awk,$(eval vpath %.$(kind) $(filter-out figures/tools/,$(wildcard figures/*/))))
+scene_of = $(wildcard figures/*/$(1).scene)
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
@@ -71,14 +75,14 @@ else
 
 # ---------------------------------------------------------------- tangling
 # A stamp a module: cpif leaves the time of an unchanged file alone.
-$(B)/c/%.stamp: src/%.nw
+$(B)/c/%.stamp: %.nw
 	@mkdir -p $(B)/c $(B)/plain
 	@for f in $$(sed -n 's/^<<\[\[\([a-z_]*\.[ch]\)\]\]>>=/\1/p' $< | sort -u); do \
 	  if [[ $$f = *.h ]]; then L=; else L=-L; fi; \
 	  notangle $$L -R"[[$$f]]" $< | cpif $(B)/c/$$f; \
 	  notangle -R"[[$$f]]" $< | cpif $(B)/plain/$$f; done
 	@touch $@
-$(B)/c/randpack.stamp: src.nw
+$(B)/c/randpack.stamp: src/scenes/randpack.nw
 	@mkdir -p $(B)/c $(B)/plain
 	@notangle -L -R'[[randpack.c]]' $< | cpif $(B)/c/randpack.c
 	@notangle -R'[[randpack.c]]' $< | cpif $(B)/plain/randpack.c
@@ -111,7 +115,7 @@ $(B)/c/prints.stamp: $(PRINTS)
 	  cpif $(B)/c/prints.inc
 	@touch $@
 $(B)/c/prints.inc: $(B)/c/prints.stamp ;
-$(B)/c/includes.stamp: src/includes.awk $(STAMPS)
+$(B)/c/includes.stamp: src/scenes/includes.awk $(STAMPS)
 	@awk -f $< $(B)/plain/*.[ch] | cpif $(B)/c/includes.inc
 	@touch $@
 $(B)/c/includes.inc: $(B)/c/includes.stamp ;
@@ -142,14 +146,14 @@ try: $(B)/bin/randpack ## a first pack in seconds: its numbers, its g(R), a pict
 TIMED = TIMEFORMAT='  $(1) in %R s, %U s of the processor'; time
 # A scene runs again when its text or the fingerprint of the modules that it
 # uses has changed, not when the program has merely been linked again.
-$(B)/data/%.checked: figures/%.scene $(B)/bin/randpack
+$(B)/data/%.checked: %.scene $(B)/bin/randpack
 	@mkdir -p $(@D)
 	@{ $(B)/bin/randpack plan $< | grep '^fingerprint'; sed '/^ *#/d' $<; } | cpif $(B)/data/$*.key
 	@touch $@
 $(B)/data/%.key: $(B)/data/%.checked ;
 # Scenes with a line `# atlas` are too long for the book, which takes their tables from their record under data/atlas
 # when the program of today makes their first realization as it was recorded.
-ATLAS := $(patsubst figures/%.scene,%,$(shell grep -lx '. atlas' figures/*.scene))
+ATLAS := $(basename $(notdir $(shell grep -lx '. atlas' figures/*/*.scene)))
 $(ATLAS:%=$(B)/data/%/summary.tsv): $(B)/data/%/summary.tsv: $(B)/data/%.key data/atlas/%/record tests/atlas.sh $(if $(FRESH),FRESH)
 	@echo '  verify $*'
 	@[ -z "$(FRESH)" ] || FRESH=1 tests/atlas.sh $*
@@ -161,31 +165,27 @@ data/atlas/%/record:
 $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@echo '  compute $*'
 	@rm -rf $(@D)
-	@$(call TIMED,computed $*) $(B)/bin/randpack run figures/$*.scene --out $(@D) \
-	  $(if $(DRAFT),$$(paper/few figures/$*.scene $(DRAFT)))
+	@$(call TIMED,computed $*) $(B)/bin/randpack run $(call scene_of,$*) --out $(@D) \
+	  $(if $(DRAFT),$$(paper/few $(call scene_of,$*) $(DRAFT)))
 	@touch $@
-# The densest of a map: its rows, fitted.
-$(B)/data/propellant-optimum/summary.tsv: paper/optimum.awk $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/summary.tsv
+# What is derived: the tables of other scenes, read again. A script runs in build/data, and may write tables beside its summary.
+define sources
 	@mkdir -p $(@D)
-	@awk -f $< $(B)/data/propellant-one/summary.tsv $(B)/data/propellant/sweep.tsv > $@
-# What some claims need that no single quantity says.
-$(B)/data/claimed/summary.tsv: paper/claimed.awk $(B)/data/theory-curves/summary.tsv $(B)/data/first-peak/summary.tsv \
-  $(B)/data/bimodal/summary.tsv $(B)/data/gravity-discs/summary.tsv
+	@{ printf '$(B)/data/$*/summary.tsv:'; sed -n 's/^# from: //p' $< | tr ' ' '\n' | sed 's|/.*||' | sort -u | \
+	  sed 's|.*| $(B)/data/&/summary.tsv|' | tr -d '\n'; echo; } | cpif $@
+	@touch $@
+endef
+$(B)/derived/%.d: %.awk
+	$(sources)
+$(DERIVED:%=$(B)/data/%/summary.tsv): $(B)/data/%/summary.tsv: %.awk
 	@mkdir -p $(@D)
-	@cd $(B)/data && awk -f $(CURDIR)/$< theory-curves/theory.tsv {theory-curves,first-peak,bimodal,gravity-discs}/summary.tsv \
-	  first-peak/shaken.rdf@retry@{0.575,0.6}.tsv bimodal/shaken.partial.{L-L,L-S,S-S}@retry@{3,60}.tsv > claimed/summary.tsv
-$(B)/data/touch/summary.tsv: paper/touch.awk $(B)/data/pack-grown/summary.tsv $(B)/data/gravity-touch/summary.tsv
-	@mkdir -p $(@D)
-	@awk -f $< $(B)/data/{pack-grown,gravity-touch}/pack-?.xyz > $@
+	@cd $(B)/data && eval "set -- $$(sed -n 's/^# from: //p' $(CURDIR)/$<)" && \
+	  awk -v dir=$* -f $(CURDIR)/$< "$$@" > $*/summary.tsv
 # What the recorded runs have taken.
 $(B)/data/atlas/summary.tsv: $(ATLAS:%=data/atlas/%/record)
 	@mkdir -p $(@D)
 	@awk 'BEGIN { print "quantity\tvalue\tstandard_error" } /seconds of the processor: / { n = split(FILENAME, path, "/"); \
 	  printf "seconds@%s\t%.0f\t0\n", path[n - 1], $$NF }' $^ > $@
-# What radii that scatter, or are wrong, make of the first peak: its tables, read again.
-$(B)/data/radius-read/summary.tsv: paper/radius.awk $(B)/data/radius-error/summary.tsv $(B)/data/tomography-shaken/summary.tsv
-	@mkdir -p $(@D)
-	@awk -v dir=$(@D) -f $< $(B)/data/tomography-shaken/{made,shaken}.rdf.tsv $(B)/data/radius-error/rdf@*.tsv > $@
 # Speed against error: the operations here, the seconds from their record.
 BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixture py table \
   near motion events engine crm core field gravity coarse dilute shake chain theory flags
@@ -217,32 +217,31 @@ define depend
 	  sed -n '/\//{s|^| |p;b};s|.\+| $(B)/data/&/summary.tsv|p' | tr -d '\n'; echo; } | cpif $@
 	@touch $@
 endef
-$(B)/figures/%.d: figures/%.gp
+$(B)/figures/%.d: %.gp
 	$(depend)
-$(B)/figures/%.d: figures/%.sh
+$(B)/figures/%.d: %.sh
 	$(depend)
 ifneq ($(filter help deps clean install bench build try lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
--include $(FIGURES:%=$(B)/figures/%.d)
+-include $(FIGURES:%=$(B)/figures/%.d) $(DERIVED:%=$(B)/derived/%.d)
 endif
 # Plots by gnuplot, checked as they are drawn; drawings of packs by their scripts.
-$(B)/figures/%.tex: figures/%.gp figures/style.gp figures/draw $(wildcard figures/*.awk)
+$(B)/figures/%.tex: %.gp $(wildcard figures/tools/*)
 	@echo '  draw $*'
 	@mkdir -p $(@D)
-	@figures/draw $< $@ $(if $(DRAFT),|| echo '\fbox{a few packs do not make this figure}' > $@)
-$(B)/figures/%.tex: figures/%.sh figures/balls $(wildcard figures/*.awk)
+	@figures/tools/draw $< $@ $(if $(DRAFT),|| echo '\fbox{a few packs do not make this figure}' > $@)
+$(B)/figures/%.tex: %.sh $(wildcard figures/tools/*)
 	@echo '  draw $*'
 	@mkdir -p $(@D)
 	@$< > $@
 
-$(B)/map.tsv: figures/map.awk $(WEB) $(STAMPS)
-	@awk -f figures/map.awk $(WEB) $(B)/plain/*.[ch] | cpif $@
+$(B)/map.tsv: figures/book/map.awk $(WEB) $(STAMPS)
+	@awk -f $< $(WEB) $(B)/plain/*.[ch] | cpif $@
 
 # ---------------------------------------------------------------- the book
 # What comes from runs that are recorded under data/ bears a sign wherever it is printed.
 RECORDED := $(ATLAS) propellant-optimum atlas seconds
-SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(B)/data/speed/summary.tsv \
-  $(B)/data/seconds/summary.tsv $(B)/data/propellant-optimum/summary.tsv $(B)/data/radius-read/summary.tsv \
-  $(B)/data/atlas/summary.tsv $(B)/data/claimed/summary.tsv $(B)/data/touch/summary.tsv
+SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(DERIVED:%=$(B)/data/%/summary.tsv) \
+  $(B)/data/speed/summary.tsv $(B)/data/seconds/summary.tsv $(B)/data/atlas/summary.tsv
 $(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
 	@mkdir -p $(@D)
 	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(SUMMARIES) > $@

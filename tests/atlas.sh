@@ -1,13 +1,14 @@
 #!/bin/bash
-# tests/atlas.sh NAME...: run these scenes of figures/ unless data/atlas/NAME holds them already, and put there their tables,
+# tests/atlas.sh NAME...: run these scenes of the folders of figures/ unless data/atlas/NAME holds them already, and put there their tables,
 # the same of their first realization alone (the probe), and a record: the scene, and what it took.
 # tests/atlas.sh --probe NAME: does the program of today make that first realization as it was recorded? Where even that is
 # long, a line `# probe: --set KEY=VALUE ...` in the scene tells with what it is a part of it.
 set -eu -o pipefail
 field() { sed -n "s/^$1[[:space:]]*: //p" /proc/cpuinfo | head -1; }
-same_scene() { sed '/^#/d' "data/atlas/$1/record" 2> /dev/null | cmp -s - <(sed '/^ *#/d' "figures/$1.scene"); }
+scene() { echo figures/*/"$1.scene"; }
+same_scene() { sed '/^#/d' "data/atlas/$1/record" 2> /dev/null | cmp -s - <(sed '/^ *#/d' "$(scene "$1")"); }
 rows() { sed '/^#/d' "$1"; }
-probe() { build/bin/randpack run "figures/$1.scene" --set realizations=1 $(sed -n 's/^# probe://p' "figures/$1.scene") --out "$2"; }
+probe() { build/bin/randpack run "$(scene "$1")" --set realizations=1 $(sed -n 's/^# probe://p' "$(scene "$1")") --out "$2"; }
 # compare RECORDED FRESH: how many rows that both have, and how many of the recorded are other or missing.
 compare() {
   awk -F'\t' 'FNR == NR { old[$1] = $0; next } $1 in old { both++; other += old[$1] != $0; delete old[$1] }
@@ -18,7 +19,7 @@ if [ "$1" = --probe ]; then
   same_scene "$name" || { echo "data/atlas/$name: recorded with another scene; make atlas"; exit 1; }
   probe "$name" "build/data/$name.probe"
   read -r both other lost < <(compare "data/atlas/$name/probe.tsv" "build/data/$name.probe/summary.tsv")
-  ! grep -q '^# probe:' "figures/$name.scene" || lost=0
+  ! grep -q '^# probe:' "$(scene "$name")" || lost=0
   [ "$both" -ge 3 ] && [ $((other + lost)) = 0 ] || {
     echo "data/atlas/$name: $((other + lost)) of $both rows of its first realization come out otherwise today; make atlas"; exit 1; }
   exit
@@ -30,13 +31,13 @@ for name; do
   rm -rf "$to.new"
   mkdir -p data/atlas
   TIMEFORMAT='%U'
-  took=$( { time build/bin/randpack run "figures/$name.scene" --out "$to.new" >&3; } 3>&1 2>&1 )
+  took=$( { time build/bin/randpack run "$(scene "$name")" --out "$to.new" >&3; } 3>&1 2>&1 )
   probe "$name" "$to.new/probe"
   mv "$to.new/probe/summary.tsv" "$to.new/probe.tsv"
   rm -r "$to.new/probe"
   { echo "# processor: $(field 'model name')"
     echo "# date: $(date -u +%Y-%m-%d), seconds of the processor: $took"
-    sed '/^ *#/d' "figures/$name.scene"; } > "$to.new/record"
+    sed '/^ *#/d' "$(scene "$name")"; } > "$to.new/record"
   rm -rf "$to"
   mv "$to.new" "$to"
 done

@@ -1,8 +1,8 @@
 #!/bin/bash
 # tests/check-atlas.sh: long runs are taken from their records, and only from records that this program makes.
 . tests/tell.sh
-scene=$tmp/figures/x.scene kept=$tmp/data/atlas/x
-mkdir -p "$tmp/figures" "$tmp/build/data" "$tmp/build/bin" "$tmp/tests"
+scene=$tmp/figures/finding/x.scene kept=$tmp/data/atlas/x
+mkdir -p "$tmp/figures/finding" "$tmp/build/data" "$tmp/build/bin" "$tmp/tests"
 cp tests/atlas.sh "$tmp/tests/" && ln -s "$(realpath "$randpack")" "$tmp/build/bin/randpack"
 printf '# A long run.\n# atlas\ndimension = 2; seed = 5; realizations = 3; fraction = 0.3;\n' > "$scene"
 printf 'species = ( { radius = 1.0; number = 60; } );\nmake = { method = "rsa"; };\nmeasure = { contact = {}; };\n' >> "$scene"
@@ -22,7 +22,7 @@ tell 'another scene is recorded anew' another
 part() { echo '# probe: --set measure={nearest={};}' >> "$scene" && atlas x && atlas --probe x && grep -q '^nearest	' "$tmp/build/data/x.probe/summary.tsv" &&
   ! grep -q '^contact	' "$tmp/build/data/x.probe/summary.tsv" && sed -i 's/^\(attempts	[^	]*\)/\11/' "$kept/probe.tsv" && ! atlas --probe x; }
 tell 'a part of it will do, and is compared' part
-for scene in $(grep -lx '# atlas' figures/*.scene); do
+for scene in $(grep -lx '# atlas' figures/*/*.scene); do
   name=$(basename "$scene" .scene)
   tell "$name has its record" cmp -s <(sed '/^#/d' "data/atlas/$name/record" 2> /dev/null) <(sed '/^ *#/d' "$scene")
 done

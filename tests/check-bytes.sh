@@ -7,7 +7,7 @@
 . tests/small.sh
 all=("${variants[@]}") variants=(one old)
 small() { same_bytes "$1" "$2" --set realizations=2 $(grep -q '^side' "$1" && echo --set side=20) $(sed -n 's/^# small://p' "$1"); }
-for file in figures/*.scene; do
+for file in figures/*/*.scene; do
   name=${file##*/}
   tell "the same bytes of ${name%.scene} with ${variants[*]}" small "$file" "${name%.scene}"
 done

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/check-claims.sh: verdicts by paper/findings.awk, for each rule and error; and what paper/touch.awk counts in packs that are known.
+# tests/check-claims.sh: verdicts by paper/findings.awk, for each rule and error; and what figures/gravity/touch.awk counts in packs that are known.
 . tests/tell.sh
 mkdir -p "$tmp/run"
 # judged RULE VALUE ERROR [MEASURED]: the verdict.
@@ -53,7 +53,7 @@ finite > "$tmp/finite.xyz"; corner > "$tmp/corner.xyz"; corner | sed 's/3.005/3.
 # counts QUANTITY VALUE PACK...
 counts() {
   local q=$1 v=$2; shift 2
-  awk -f paper/touch.awk "$@" | awk -F'\t' -v q="$q" -v v="$v" '$1 == q { good = ($2 - v) ^ 2 < 1e-15 } END { exit !good }'
+  awk -f figures/gravity/touch.awk "$@" | awk -F'\t' -v q="$q" -v v="$v" '$1 == q { good = ($2 - v) ^ 2 < 1e-15 } END { exit !good }'
 }
 tell 'spheres with fewer than two contacts: the ends of a chain and a single one' counts lonely 0.5 "$tmp/corner.xyz" "$tmp/finite.xyz" "$tmp/finite.xyz"
 tell 'moves beyond the first of two spheres that are met' counts beyond "$expected" "$tmp/corner.xyz" "$tmp/finite.xyz" "$tmp/finite.xyz"

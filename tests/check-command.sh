@@ -40,7 +40,7 @@ tell 'help names the keys' keys
 
 # --- lattices
 shells() {
-  ends 0 "$randpack" run figures/lattice-shells.scene --out "$tmp/shells" || return 1
+  ends 0 "$randpack" run figures/lattice/lattice-shells.scene --out "$tmp/shells" || return 1
   diff <(printf '%s\n' '2 6' '2.8284 12' '3.4641 8' '4 6' '4.4721 24' '4.8990 24' '5.6569 12' '6 30') \
     <(grep -v '^[#R]' "$tmp/shells/shells.tsv" | head -8 | awk '{ r = sprintf("%.4f", $1); sub(/\.0000$/, "", r); print r, $2 }')
 }
@@ -112,7 +112,7 @@ row_pairs() {
 tell 'the row pairs is the brute-force count' row_pairs
 as_planned() {
   local f name
-  for f in figures/lattice-n1.scene figures/pack-?d.scene figures/rsa-K.scene "$tmp/rdf.scene" "$tmp/deep.scene"; do
+  for f in figures/lattice/lattice-n1.scene figures/rsa/pack-?d.scene figures/lattice/rsa-K.scene "$tmp/rdf.scene" "$tmp/deep.scene"; do
     name=${f##*/}
     ends 0 "$randpack" run "$f" --set realizations=2 --out "$tmp/planned/$name" || return 1
     "$randpack" plan "$f" | sed -n 's/^write\t *//p' | tr ' ' '\n' | sed 's/pack-K.xyz/pack-0.xyz\npack-1.xyz/' | sort |

@@ -3,7 +3,7 @@
 . tests/tell.sh
 root=$PWD
 table() { printf "$1" | tr ' ' '\t' > "$tmp/$2"; }
-columns() { awk -f figures/columns.awk "$@" 2>&1; }
+columns() { awk -f figures/tools/columns.awk "$@" 2>&1; }
 is() { local want=$1; shift; local got; got=$("$@" | tr '\t' ' '); [ "$got" = "$(printf "$want")" ] || { echo "wanted: $want"; echo "got: $got"; return 1; }; }
 says() { local want=$1 got; shift; if got=$("$@" 2>&1); then echo "succeeded: $*"; return 1; fi; grep -qF -- "$want" <<< "$got" || { echo "wanted: $want"; echo "got: $got"; return 1; }; }
 
@@ -25,12 +25,12 @@ tell 'a column to join by' says 'no column kind' columns by=kind "$tmp/one.tsv" 
 tell 'a quantity that was not measured' says 'no row for quantity=Z' columns get=value where=quantity=Z "$tmp/summary.tsv"
 tell 'an empty table' says 'no table' columns /dev/null
 by_number() {
-  ! sed -E 's/"[^"]*"//g; s/every [^ ]*//g' figures/*.gp | grep -nE '\$[1-9]|using [0-9]|column\([0-9]|:[0-9]+ +with'
+  ! sed -E 's/"[^"]*"//g; s/every [^ ]*//g' figures/*/*.gp | grep -nE '\$[1-9]|using [0-9]|column\([0-9]|:[0-9]+ +with'
 }
 tell 'no figure reads a column by its number' by_number
 
 # ---- what is refused
-draw() { { echo "t = '$tmp/one.tsv'"; cat; } > "$tmp/figure.gp"; figures/draw "$tmp/figure.gp" "$tmp/figure.tex"; }
+draw() { { echo "t = '$tmp/one.tsv'"; cat; } > "$tmp/figure.gp"; figures/tools/draw "$tmp/figure.gp" "$tmp/figure.tex"; }
 good='unset key; set xrange [0:5]; set yrange [0:10]; set multiplot layout 1,2
 plot t using "R":"g":"g_err" with yerrorbars title "bars", 3 with lines, t using "R":(low("g")):(high("g")) with filledcurves
 set logscale y; set yrange [1:10]
@@ -64,7 +64,7 @@ for rule in retry metropolis; do for c in 0.55 0.575 0.6; do
     for (R = 2.01; R < 4.5; R += 0.02) print R, 1 + 20 * c * exp(-9 * (R - 2)), 0.02, -0.5, 0.01 }' > "$tmp/build/data/first-peak/shaken.rdf@$rule@$c.tsv"
   printf 'shaken.contact@%s@%s\t%s\t0.1\n' $rule $c "$(awk -v c=$c 'BEGIN { print 1 + 20 * c }')"
 done; done | sed '1iquantity\tvalue\tstandard_error' > "$tmp/build/data/first-peak/summary.tsv"
-extrapolation() { (cd "$tmp" && sed "$1" "$root/figures/extrapolation.gp" > figure.gp && figures/draw figure.gp figure.tex); }
+extrapolation() { (cd "$tmp" && sed "$1" "$root/figures/shake/extrapolation.gp" > figure.gp && figures/tools/draw figure.gp figure.tex); }
 tell 'a figure of two tables with more columns than three' extrapolation ''
 tell 'with the columns that it read when it was broken' says 'panel 1, element 1' extrapolation 's/"g_2"/"change"/;s/"g_err_2"/"change_err"/'
 sed -i 's/g_err/error/' "$tmp"/build/data/first-peak/*@0.6.tsv
@@ -76,7 +76,7 @@ pack() {
   { echo "$(($# / 4))"; echo 'Lattice="20 0 0 0 20 0 0 0 20" Properties=species:S:1:pos:R:3:radius:R:1 pbc="T T T"'
     while [ $# -gt 0 ]; do echo "a $1 $2 $3 $4"; shift 4; done; } > "$tmp/pack.xyz"
 }
-balls() { figures/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0' | grep -c ' Do '; }
+balls() { figures/tools/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0' | grep -c ' Do '; }
 # Towards the eye is (sin .6 cos .5, cos .6 cos .5, sin .5).
 pack 10 10 10 2 7.0 5.7 7.1 1 7.0 5.7 4.5 1
 tell 'a sphere behind a larger one is left out, and one beside it is not' is 2 balls
@@ -85,21 +85,21 @@ tell 'one before a larger one is drawn, and so is that' is 2 balls
 # Of a row of spheres behind a plate of others each is seen through the gaps: nothing that is seen is left out.
 gaps() {
   awk -v OFS='\t' 'BEGIN { for (i = -8; i <= 8; i++) for (j = -8; j <= 8; j++) print 100, 1.01 * i, 1.01 * j, 0.5; print 50, 0.505, 0.505, 0.2; print 40, 0, 0, 0.3 }' |
-    awk -F'\t' -f figures/seen.awk | cut -f1 | sort -g | uniq -c | awk '{ printf "%s ", $2 }'
+    awk -F'\t' -f figures/tools/seen.awk | cut -f1 | sort -g | uniq -c | awk '{ printf "%s ", $2 }'
 }
 tell 'what shows through a gap is kept, what is covered is not' is '50 100 ' gaps
 # slit X Y: between two discs, along y or x
-slit() { printf '%s\n' "100 -$1 -$2 1" "100 $1 $2 1" '50 0 0 0.05' "40 $1 $2 0.5" | tr ' ' '\t' | awk -F'\t' -f figures/seen.awk | cut -f1 | tr '\n' ' '; }
+slit() { printf '%s\n' "100 -$1 -$2 1" "100 $1 $2 1" '50 0 0 0.05' "40 $1 $2 0.5" | tr ' ' '\t' | awk -F'\t' -f figures/tools/seen.awk | cut -f1 | tr '\n' ' '; }
 tell 'and what shows through a slit of a fiftieth' is '100 100 50 ' slit 1.01 0
 tell 'and through one that lies' is '100 100 50 ' slit 0 1.01
 pack
-tell 'a pack without particles is no drawing' says 'nothing is drawn' figures/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0'
+tell 'a pack without particles is no drawing' says 'nothing is drawn' figures/tools/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0'
 sed -i 's/radius:R:1/diameter:R:1/' "$tmp/pack.xyz"; echo 'a 1 1 1 1' >> "$tmp/pack.xyz"
-tell 'a pack without radii' says 'no species, pos or radius' figures/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0'
+tell 'a pack without radii' says 'no species, pos or radius' figures/tools/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0'
 # The same bytes by another awk.
 if command -v mawk > /dev/null && command -v gawk > /dev/null; then
   pack 10 10 10 2 13 14.3 12.9 1 3 4 5 1.7
-  with() { mkdir -p "$tmp/$1"; ln -sf "$(command -v "$1")" "$tmp/$1/awk"; PATH=$tmp/$1:$PATH figures/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0'; }
+  with() { mkdir -p "$tmp/$1"; ln -sf "$(command -v "$1")" "$tmp/$1/awk"; PATH=$tmp/$1:$PATH figures/tools/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0'; }
   tell 'mawk and gawk draw the same bytes' cmp <(with mawk) <(with gawk)
 fi
 exit $failed

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/check-optimum.sh: paper/optimum.awk on curves whose maxima, line and layer are known.
+# tests/check-optimum.sh: figures/propellant/propellant-optimum.awk on curves whose maxima, line and layer are known.
 . tests/tell.sh
 # map [SIZE PLACE STEP]: five sizes, cubics in X with the maximum 0.85 - 0.4 R at X = 0.7 + 0.1 R; one point moved.
 map() {
@@ -9,7 +9,7 @@ map() {
     for (i = 1; i <= n; i++) for (j = 1; j <= m; j++) { u = p[j] / (1 + p[j]) - 0.7 - 0.1 * r[i]
       print r[i], p[j], 2000, 0, 0.85 - 0.4 * r[i] - 0.9 * u * u - u * u * u + (r[i] == size && j == place ? step : 0), 0.002 } }' > "$tmp/sweep.tsv"
   printf 'quantity\tvalue\tstandard_error\nfraction@0.03@2000\t0.64\t0.001\n' > "$tmp/one.tsv"
-  awk -f paper/optimum.awk "$tmp/one.tsv" "$tmp/sweep.tsv" > "$tmp/optimum.tsv"
+  awk -f figures/propellant/propellant-optimum.awk "$tmp/one.tsv" "$tmp/sweep.tsv" > "$tmp/optimum.tsv"
 }
 # near ROW COLUMN VALUE TOLERANCE
 near() { awk -F'\t' -v r="$1" -v c="$2" -v v="$3" -v t="$4" '$1 == r { d = $c - v; good = d * d <= t * t } END { exit !good }' "$tmp/optimum.tsv"; }
@@ -38,7 +38,7 @@ layered() {
     n = split("0.3 0.2 0.15", r, " "); m = split("1 1.5 2 2.5 3", p, " ")
     for (i = 1; i <= n; i++) for (j = 1; j <= m; j++) { X = p[j] / (1 + p[j])
       print r[i], p[j], 2000, 0.64 / (1 - X * (1 - 0.64 * (1 + 0.6 * r[i]))), 0.002 } }' > "$tmp/sweep.tsv"
-  awk -f paper/optimum.awk "$tmp/one.tsv" "$tmp/sweep.tsv" > "$tmp/optimum.tsv"
+  awk -f figures/propellant/propellant-optimum.awk "$tmp/one.tsv" "$tmp/sweep.tsv" > "$tmp/optimum.tsv"
   near layer@0.2@2.5 2 0.1 1e-9 && near layer 2 0.1 1e-9
 }
 tell 'the layer that a pack was made with' layered

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/check-radius.sh: paper/radius.awk on an exponential peak, 1 + 19 exp(-y / 0.05), whose smeared form is computed here by plain sums.
+# tests/check-radius.sh: figures/tomography/radius-read.awk on an exponential peak, 1 + 19 exp(-y / 0.05), whose smeared form is computed here by plain sums.
 . tests/tell.sh
 # table FILE STEP [SPREAD]: g of equal spheres, or smeared, R in median radii; made.rdf and shaken.rdf are the same.
 table() { awk -v d="$2" -v s="${3:-0}" 'BEGIN { OFS = "\t"; scale = exp(1.5 * s * s); print "R", "g", "g_err"
@@ -8,7 +8,7 @@ table() { awk -v d="$2" -v s="${3:-0}" 'BEGIN { OFS = "\t"; scale = exp(1.5 * s 
       else { f = u = 0; for (v = -4; v <= 4; v += 0.002) { y = r - 2 * exp(-s * s) - sqrt(2) * s * v; p = exp(-v * v / 2); u += p; f += y > 0 ? p * (1 + 19 * exp(-y / 0.05)) : 0 } }
       printf "%.9g\t%.9g\t0.001\n", R, s ? f / u : f } }' > "$tmp/$1"; }
 table rdf@0.tsv 0.005; table rdf@0.05.tsv 0.005 0.05; table made.rdf.tsv 0.01; cp "$tmp/made.rdf.tsv" "$tmp/shaken.rdf.tsv"
-awk -v dir="$tmp" -f paper/radius.awk "$tmp"/{made,shaken}.rdf.tsv "$tmp"/rdf@*.tsv > "$tmp/read.tsv"
+awk -v dir="$tmp" -f figures/tomography/radius-read.awk "$tmp"/{made,shaken}.rdf.tsv "$tmp"/rdf@*.tsv > "$tmp/read.tsv"
 near() { awk -F'\t' -v r="$1" -v v="$2" -v t="$3" '$1 == r { d = $2 - v; good = d * d <= t * t } END { exit !good }' "$tmp/read.tsv"; } # ROW VALUE TOLERANCE
 top() { awk -F'\t' 'NR > 1 && $2 > m { m = $2; R = $1 / exp(0.00375) } END { print '"$1"' }' "$tmp/rdf@0.05.tsv"; }
 tell 'the value at contact' near h 20 0.1

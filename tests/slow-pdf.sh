@@ -20,7 +20,7 @@ tables() { diff -rq "$tmp/a/build/data" "$tmp/another/place/b/build/data"; }
 tell 'and so are its tables' tables
 edit() {
   cp "$tmp/a/build/paper.pdf" "$tmp/before.pdf"
-  sed -i '0,/^\\section/s//A sentence more, set by a test.\n\n&/' "$tmp/a/src/order.nw"
+  sed -i '0,/^\\section/s//A sentence more, set by a test.\n\n&/' "$tmp/a/src/measuring/order.nw"
   local start=$SECONDS
   make -C "$tmp/a" paper > "$tmp/edit.log" 2>&1 || { tail -20 "$tmp/edit.log"; return 1; }
   ! grep -q '^  \(compute\|draw\)' "$tmp/edit.log" && [ $((SECONDS - start)) -lt 60 ] || { cat "$tmp/edit.log"; return 1; }

@@ -1,0 +1,43 @@
+# figures/book/map.awk: places for the modules, and arrows from each to those it includes, without those that
+# follow from others. Reads the chapters (for the parts) and the tangled *.[ch] (for the includes).
+FILENAME ~ /\.nw$/ {
+  if ($0 ~ /^\\part\{/) { next_part = $0; gsub(/^\\part\{|\}.*$/, "", next_part) }
+  if ($0 ~ /^<<\[\[[a-z_]+\.c\]\]>>=/ && !(FILENAME in seen)) {
+    seen[FILENAME] = 1; m = $0; gsub(/^<<\[\[|\.c.*$/, "", m)
+    if (m == "randpack") next
+    if (next_part != "") { title[++part] = next_part; next_part = "" } # a part without modules has no column
+    col[m] = part; row[m] = rows[part]++; order[++n] = m
+  }
+  next
+}
+/^#include "/ {
+  user = FILENAME; gsub(/.*\/|\.[ch]$/, "", user)
+  used = $2; gsub(/"|\.h/, "", used)
+  if (user != used && (used in col) && (user in col)) uses[user, used] = 1
+}
+# Is there a way from a to b through a third?
+function implied(a, b,   c) {
+  for (c in col) if (c != b && (a, c) in uses && reach[c, b]) return 1
+  return 0
+}
+function x(m) { return (col[m] - 1) * 2 + (row[m] % 2 ? 0.35 : -0.35) }
+function y(m) { return -row[m] * 0.8 }
+END {
+  print "kind\tx\ty\tdx\tdy\twords"
+  for (k = 1; k <= n; k++) for (i = 1; i <= n; i++) for (j = 1; j <= n; j++) {
+    a = order[i]; b = order[j]; c = order[k]
+    if ((a, b) in uses) reach[a, b] = 1
+    if (reach[a, c] && reach[c, b]) reach[a, b] = 1
+  }
+  for (k = 1; k <= n; k++) for (i = 1; i <= n; i++) for (j = 1; j <= n; j++)
+    if (reach[order[i], order[k]] && reach[order[k], order[j]]) reach[order[i], order[j]] = 1
+  for (i = 1; i <= n; i++) for (j = 1; j <= n; j++) {
+    a = order[i]; b = order[j]
+    if (((a, b) in uses) && !implied(a, b)) {
+      dx = x(b) - x(a); dy = y(b) - y(a); s = 1 - 0.30 / sqrt(dx * dx + dy * dy)
+      print "arrow\t" x(a) "\t" y(a) "\t" dx * s "\t" dy * s "\t"
+    }
+  }
+  for (i = 1; i <= n; i++) print "module\t" x(order[i]) "\t" y(order[i]) "\t0\t0\t" order[i]
+  for (i = 1; i <= part; i++) if (rows[i]) print "part\t" (i - 1) * 2 "\t0.75\t0\t0\t" title[i]
+}

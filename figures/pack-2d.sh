@@ -1,5 +1,0 @@
-#!/bin/bash
-# A pack of discs at saturation, with the images that reach over the sides.
-# data: pack-2d
-set -eu -o pipefail
-awk -f figures/colour.awk -f figures/pack.awk -f figures/discs.awk build/data/pack-2d/pack-0.xyz | awk -v width=12.6 -f figures/paint.awk

@@ -1,4 +1,0 @@
-#!/bin/bash
-# A pack of equal spheres grown to .60.
-# data: pack-grown
-exec figures/balls build/data/pack-grown/pack-0.xyz 7.1 '1 144682 aad2f5'

@@ -1,5 +1,0 @@
-#!/bin/bash
-# Discs at .70 before and after shaking: filled, where they are, by the way they have gone; outlines, where they were.
-# data: pack-shaken
-set -eu -o pipefail
-awk -f figures/colour.awk -f figures/pack.awk -f figures/moved.awk build/data/pack-shaken/{made.,}pack-0.xyz | awk -v width=10.6 -f figures/paint.awk
