@@ -4,6 +4,7 @@
 #   ring   COLOUR x y r w          its rim; w is in points, as of a line
 #   line   COLOUR x0 y0 x1 y1 w
 #   box    COLOUR x0 y0 x1 y1
+#   path   COLOUR RIM w x y x y ...   a polygon, filled, with its rim
 #   clip   x0 y0 x1 y1             nothing outside this is drawn, until `clip` alone
 #   ball   NAME x y r              what a row `light` has described before
 #   light  NAME RIM TOP            a ball of colour RIM with a darker edge, lit from the upper left, where it is TOP
@@ -50,6 +51,11 @@ $1 == "disc" { pen($2, 2 * $5 * scale); p = at($3, $4); put(p " m " p " l S"); t
 $1 == "ring" { pen($2, $6); put(circle($3, $4, $5) " S") }
 $1 == "line" { pen($2, $7); put(at($3, $4) " m " at($5, $6) " l S") }
 $1 == "box" { put(rgb($2) " rg " area($3, $4, $5, $6) " f") }
+$1 == "path" {
+  pen($3, $4); p = at($5, $6) " m"
+  for (i = 7; i < NF; i += 2) p = p " " at($i, $(i + 1)) " l"
+  put(rgb($2) " rg 1 j " p " b"); things++
+}
 $1 == "clip" { put(NF > 1 ? "q " area($2, $3, $4, $5) " W n" : "Q"); ink = nib = "" }
 $1 == "ball" { r = n($5 * scale); put("q " r " 0 0 " r " " at($3, $4) " cm/" $2 " Do Q"); things++ }
 END {
