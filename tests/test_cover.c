@@ -2,6 +2,7 @@
 #include "cover.h"
 #include "elementary.h"
 #include "many.h"
+#include "overlap.h"
 #include "rng.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
@@ -125,15 +126,15 @@ static void test_random(void) {
   Rng rng = rng_stream(71, 0, RNG_TEST);
   static Body b[4 * MANY];
   static const double radius[] = {0.2, 0.4, 0.8, 3, 7};
-  for (int k = 0; k < 30; k++) {
+  for (int k = 0; k < as_many(20, 60); k++) {
     double R = radius[k % 5];
-    size_t n = R > 1 ? 1 + (size_t)k / 5 : 10 + 50 * (size_t)(k / 5);
+    size_t n = R > 1 ? 1 + (size_t)k / 5 % 6 : 10 + 50 * (size_t)(k / 5 % 6);
     Box box = {2, {10, 8, 0}}, twice = {2, {20, 16, 0}};
     int kinds = k % 2 ? KINDS : 3;
     scatter(b, n, shapes, kinds, R, 0.7, &box, &rng);
     double perimeter, length, area = cover_area(b, n, &box, &perimeter);
-    int64_t rows = cover_rows(b, n, &box, 2000, 1600);
-    gsl_test_abs((double)rows / 2000 / 1600, area / 80, 6e-5, "points, R %g, n %zu", R, n);
+    int64_t rows = cover_rows(b, n, &box, 1000, 800);
+    gsl_test_abs((double)rows / 1000 / 800, area / 80, 2e-4, "points, R %g, n %zu", R, n);
     for (size_t i = 0; i < n; i++)
       for (size_t c = 0; c < 4; c++) {
         Body *copy = &b[c * n + i];
@@ -184,10 +185,71 @@ static void test_counts(void) {
     shape_free(&shapes[k]);
 }
 
+/* Two of all kinds share what they are not the union of; whoever comes first. */
+static void test_pairs(void) {
+  Shape *shapes[KINDS];
+  all_shapes(shapes);
+  Rng rng = rng_stream(73, 0, RNG_TEST);
+  Box box = {2, {3, 3, 0}};
+  double worst = 0, other = 0;
+  int overlapping = 0;
+  for (int k = 0; k < as_many(600, 20000); k++) {
+    Body b[2];
+    Overlap o;
+    scatter(b, 2, shapes, KINDS, k % 3 ? 1 : 0.3, 1, &box, &rng);
+    double perimeter, length, sum = M_PI * (b[0].radius * b[0].radius + b[1].radius * b[1].radius);
+    double area = cover_area(b, 2, NULL, &perimeter);
+    overlapping += overlap_find(&b[0], &b[1], &o);
+    worst = GSL_MAX(worst, fabs(sum - o.area - area));
+    Body swapped[] = {b[1], b[0]};
+    other = GSL_MAX(other, fabs(cover_area(swapped, 2, NULL, &length) - area));
+    other = GSL_MAX(other, fabs(length - perimeter));
+    worst = GSL_MAX(worst, fabs(cover_exclusive(b, 2) - (M_PI * b[0].radius * b[0].radius - o.area)));
+  }
+  gsl_test(overlapping < 250, "%d pairs overlap", overlapping);
+  gsl_test_abs(worst, 0, 1e-12, "a union is a sum less what is shared");
+  gsl_test_abs(other, 0, 1e-12, "and does not depend on the order");
+  for (int k = 0; k < KINDS; k++)
+    shape_free(&shapes[k]);
+}
+
+/* Cases known to break libraries for polygons and ellipses. */
+static void test_hard(void) {
+  Shape *three = shape_regular(3), *five = shape_regular(5), *ellipse = shape_superellipse(50, 1);
+  double side = sqrt(4 * M_PI / sqrt(3)), h = three->inner, little = 2e-8;
+  Body b[2] = {body(three, 1, 4, 5, M_PI), body(three, 1, 4 + 2 * h + little, 5, 0)};
+  check(b, 2, &square10, 2 * M_PI, 6 * side, 1e-13, "two triangles apart");
+  b[1].x = 4 + 2 * h - little;
+  check(b, 2, &square10, 2 * M_PI - side * little, 4 * side, 1e-7, "two triangles in one another");
+  gsl_test_abs(cover_area(b, 2, &square10, NULL), 2 * M_PI - side * little, 1e-14, "their area");
+  Body cross[2] = {body(ellipse, 1, 9.9, 5, 0), body(ellipse, 1, 9.9, 5, M_PI / 2)};
+  double a = sqrt(50), t = 1 / a, shared = 4 * a * t * atan(t / a);
+  gsl_test_abs(cover_area(cross, 2, NULL, NULL), 2 * M_PI - shared, 2e-14, "crossed needles");
+  static Body many[5000];
+  Box box = {2, {60, 60, 0}};
+  Rng rng = rng_stream(74, 0, RNG_TEST);
+  scatter(many, 5000, &five, 1, 0.5, 0.5, &box, &rng);
+  double area = cover_area(many, 5000, &box, NULL);
+  int64_t rows = cover_rows(many, 5000, &box, 1000, 1000);
+  gsl_test_abs((double)rows / 1000 / 1000, area / 3600, 1e-4, "thousands");
+  for (int k = 0; k < 5000; k++)
+    many[k].x = box_wrap(many[k].x + 31.17, 60);
+  gsl_test_rel(cover_area(many, 5000, &box, NULL), area, 2e-15, "thousands, moved");
+  for (int k = 0; k < 256; k++)
+    many[k] = body(five, 2.5, 6.25 * (k % 16), 6.25 * (k / 16), k);
+  Box hundred = {2, {100, 100, 0}};
+  gsl_test_rel(cover_area(many, 254, &hundred, NULL), 254 * M_PI * 6.25, 1e-15, "254 pentagons apart");
+  shape_free(&three);
+  shape_free(&five);
+  shape_free(&ellipse);
+}
+
 int main(void) {
   test_discs();
   test_ties();
   test_random();
   test_counts();
+  test_pairs();
+  test_hard();
   return gsl_test_summary();
 }
