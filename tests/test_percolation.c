@@ -1,0 +1,133 @@
+/* tests/test_percolation.c: clusters by hand, all pairs of images by a plain search, and the known thresholds */
+#include "many.h"
+#include "penetrable.h"
+#include "percolation.h"
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_test.h>
+#include <stdlib.h>
+
+static Pack *discs(size_t n, const double x[][2], double radius, double a, double b) {
+  Species species = {.name = "P", .radius = radius, .count = n};
+  Box box = {2, {a, b, 0}};
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  for (size_t i = 0; i < 2 * n; i++)
+    pack->x[i] = x[i / 2][i % 2];
+  return pack;
+}
+
+static void expect(Pack *pack, double scale, int x, int y, size_t clusters, size_t largest, const char *what) {
+  Percolation p = percolation_find(pack, scale);
+  gsl_test(p.along[0] != x || p.along[1] != y || p.along[2], "%s: along", what);
+  gsl_test_int((int)p.clusters, (int)clusters, "%s: clusters", what);
+  gsl_test_int((int)p.largest, (int)largest, "%s: largest", what);
+  pack_free(&pack);
+}
+
+static void test_by_hand(void) {
+  static const double row[][2] = {{0, 1}, {1.8, 1}, {3.6, 1}}, ends[][2] = {{0, 1}, {3.6, 1}};
+  static const double stair[][2] = {{0.5, 0.5}, {1.5, 1.5}, {2.5, 2.5}, {3.5, 3.5}};
+  expect(discs(3, row, 1, 5, 9), 1, 1, 0, 1, 3, "a row");
+  expect(discs(2, ends, 1, 5, 9), 1, 0, 0, 1, 2, "without the middle");
+  expect(discs(2, ends, 0.5, 5, 9), 1, 0, 0, 2, 1, "smaller");
+  expect(discs(2, ends, 0.5, 5, 9), 2, 0, 0, 1, 2, "and scaled");
+  expect(discs(2, ends, 0.5, 5, 9), 3.7, 1, 0, 1, 2, "and more");
+  expect(discs(1, row, 2.6, 5, 9), 1, 1, 0, 1, 1, "one that overlaps its image");
+  expect(discs(1, row, 4.6, 5, 9), 1, 1, 1, 1, 1, "both its images");
+  expect(discs(4, stair, 0.8, 4, 4), 1, 1, 1, 1, 4, "a stair closes along both");
+  expect(discs(0, row, 1, 5, 9), 1, 0, 0, 0, 0, "nothing");
+}
+
+/* The same by spreading from each particle through all images of a few boxes, without a tree. */
+static void test_plain(void) {
+  enum { N = 12, M = 2, SIDE = 2 * M + 1 };
+  Rng rng = rng_stream(91, 0, RNG_TEST);
+  int differ = 0, wrapped = 0;
+  for (int k = 0; k < as_many(150, 1000); k++) {
+    double x[N][2], R = 0.25 + 0.6 * rng_uniform(&rng);
+    for (int i = 0; i < 2 * N; i++)
+      x[i / 2][i % 2] = 3 * rng_uniform(&rng);
+    Pack *pack = discs(N, (const double(*)[2])x, R, 3, 3);
+    Percolation p = percolation_find(pack, 1);
+    bool along[2] = {false};
+    size_t largest = 0;
+    for (int start = 0; start < N; start++) {
+      bool seen[SIDE][SIDE][N] = {{{false}}}, one[N] = {false};
+      int stack[SIDE * SIDE * N][3], top = 0;
+      size_t size = 0;
+      stack[top][0] = stack[top][1] = M, stack[top++][2] = start;
+      seen[M][M][start] = true;
+      while (top) {
+        top--;
+        int a = stack[top][0], b = stack[top][1], i = stack[top][2];
+        size += !one[i];
+        one[i] = true;
+        along[0] |= i == start && a != M;
+        along[1] |= i == start && b != M;
+        for (int c = 0; c < SIDE * SIDE * N; c++) {
+          int e = c / N / SIDE, f = c / N % SIDE, j = c % N;
+          double dx = x[j][0] - x[i][0] + 3 * (e - a), dy = x[j][1] - x[i][1] + 3 * (f - b);
+          if (seen[e][f][j] || dx * dx + dy * dy >= 4 * R * R)
+            continue;
+          seen[e][f][j] = true;
+          stack[top][0] = e, stack[top][1] = f, stack[top++][2] = j;
+        }
+      }
+      largest = GSL_MAX(largest, size);
+    }
+    wrapped += along[0] + along[1];
+    differ += along[0] != p.along[0] || along[1] != p.along[1] || largest != p.largest;
+    pack_free(&pack);
+  }
+  gsl_test_int(differ, 0, "as by spreading through images");
+  gsl_test(wrapped < 50 || wrapped > as_many(250, 1900), "%d axes", wrapped);
+}
+
+/* At the threshold a pack percolates along any axis with the probability .6905, along all with .3517; well below never, above always. */
+static void test_thresholds(void) {
+  Shape *four = shape_regular(4);
+  static const double threshold[] = {0.6763, 0.6666, 0.6254};
+  static const char *const name[] = {"discs", "parallel squares", "squares at any angle"};
+  Rng rng = rng_stream(92, 0, RNG_TEST);
+  for (int c = 0; c < 3; c++)
+    for (int level = -1; level <= 1; level++) {
+      int packs = as_many(level ? 20 : 160, level ? 200 : 4000), any = 0, all = 0;
+      double density = -log(1 - threshold[c]) * (1 + 0.4 * level), n = as_many(100, 1000);
+      Species species = {.name = "P", .radius = 1, .count = (size_t)n, .shape = c ? four : NULL};
+      double side = sqrt(n * M_PI / density);
+      Box box = {2, {side, side, 0}};
+      for (int k = 0; k < packs; k++) {
+        Pack *pack = pack_alloc(&box, &species, 1, false);
+        penetrable_throw(pack, &rng);
+        for (size_t i = 0; c == 1 && i < pack->n; i++)
+          pack->angle[i] = M_PI / 4;
+        Percolation p = percolation_find(pack, 1);
+        any += p.along[0] || p.along[1];
+        all += p.along[0] && p.along[1];
+        pack_free(&pack);
+      }
+      double want[2] = {level < 0 ? 0 : level ? 1 : 0.690473725, level < 0 ? 0 : level ? 1 : 0.351642855};
+      double error = level ? 0.25 : 4 * sqrt(0.25 / packs);
+      gsl_test_abs((double)any / packs, want[0], error, "%s, level %d: along any axis", name[c], level);
+      gsl_test_abs((double)all / packs, want[1], error, "%s, level %d: along all", name[c], level);
+    }
+  shape_free(&four);
+}
+
+static void test_spheres(void) {
+  Species species = {.name = "P", .radius = 0.6, .count = 5};
+  Box box = {3, {5, 6, 7}};
+  Pack *pack = pack_alloc(&box, &species, 1, false);
+  for (int i = 0; i < 5; i++)
+    pack->x[3 * i] = i;
+  Percolation p = percolation_find(pack, 1);
+  gsl_test(!p.along[0] || p.along[1] || p.along[2] || p.clusters != 1, "a row of spheres");
+  pack_free(&pack);
+}
+
+int main(void) {
+  test_by_hand();
+  test_plain();
+  test_thresholds();
+  test_spheres();
+  return gsl_test_summary();
+}
