@@ -60,6 +60,27 @@ static void known(Shape *shape, double radius, double distance, double angle, do
   shape_free(&shape);
 }
 
+/* Uniform: the first two harmonics of N angles have sums of the error sqrt(N / 2). */
+static void test_turns(void) {
+  enum { N = 20000 };
+  Species some[] = {{"D", 1, 7, NULL}, {"P", 1, N, shape_regular(5)}};
+  Pack *pack = scattered(some, 2, 17, 13, false, 3);
+  double sum[4] = {0}, discs = 0, out = 0;
+  for (size_t i = 0; i < pack->n; i++) {
+    double a = pack->angle[i];
+    discs += pack_shape(pack, i) ? 0 : a;
+    out += !(a >= 0 && a < 2 * M_PI);
+    for (int k = 0; pack_shape(pack, i) && k < 4; k++)
+      sum[k] += k & 1 ? sin((1 + k / 2) * a) : cos((1 + k / 2) * a);
+  }
+  for (int k = 0; k < 4; k++)
+    gsl_test_abs(sum[k] / sqrt(N / 2), 0, 4, "random angles: harmonic %d in standard errors", k);
+  gsl_test(discs != 0 || out > 0, "discs are not turned, and no angle is out of [0, 2 pi)");
+  gsl_test(2 * M_PI * (1 - 0x1p-53) >= 2 * M_PI, "the largest random number gives no full turn");
+  pack_free(&pack);
+  shape_free(&some[1].shape);
+}
+
 static void test_balls(void) {
   Species discs[] = {{"A", 1, 30}, {"B", 0.25, 40}};
   Pack *pack = scattered(discs, 2, 17, 13, false, 5);
@@ -86,6 +107,7 @@ int main(void) {
   known(shape_regular(4), 1, 20, M_PI / 4, 20 - 2 * half, "half the box apart");
   known(shape_regular(4), 11.5, 20, M_PI / 4, 20 - 11.5 * side, "as wide as half of it");
   test_balls();
+  test_turns();
   Species some[] = {{"P", 1, 9, shape_regular(5)},      {"T", 0.5, 8, shape_regular(3)}, {"D", 0.7, 7, NULL},
                     {"S", 1.2, 6, shape_superellipse(2.5, 1.5)}, {"E", 0.1, 3, shape_superellipse(0.3, 1)}};
   same_gap(some, 5, 40, 60, 1, false, "a few of many kinds");
