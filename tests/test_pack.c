@@ -2,6 +2,7 @@
 #include "outcome.h"
 #include "pack.h"
 #include "rng.h"
+#include "same.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
 #include <stdlib.h>
@@ -40,8 +41,47 @@ static void test_bytes(void) {
   for (int dim = 2; dim <= 3; dim++)
     for (int kinds = 1; kinds <= 2; kinds++)
       for (int own = 0; own <= 1; own++)
-        gsl_test_int((int)pack_bytes(dim, kinds, own), known[dim - 2][kinds - 1][own],
+        gsl_test_int((int)pack_bytes(dim, kinds, own, false), known[dim - 2][kinds - 1][own],
                      "bytes a particle: %d-D, %d species, own radii %d", dim, kinds, own);
+  gsl_test_int((int)pack_bytes(2, 1, false, true), 24, "and eight for an angle");
+}
+
+/* A pentagon, discs, an ellipse of no particles: shapes are the pack's own, and only such a pack has angles. */
+static void test_shapes(void) {
+  Species kinds[] = {{"P", 1.3, 17, shape_regular(5)}, {"D", 0.41, 29, NULL}, {"S", 5.1, 0, shape_superellipse(1.75, 1.25)}};
+  Pack *pack = pack_alloc(&sheet, kinds, 3, false), *discs = pack_alloc(&sheet, kinds + 1, 1, false);
+  Pack *none = pack_alloc(&sheet, kinds + 2, 1, true);
+  gsl_test(!pack->angle || !none->angle || discs->angle, "angles where a species has a shape");
+  for (int s = 0; s < 3; s += 2) {
+    gsl_test(pack->species[s].shape == kinds[s].shape, "shape %d is the pack's own", s);
+    shape_free(&kinds[s].shape);
+  }
+  int wrong = 0;
+  for (size_t i = 0; i < pack->n; i++) {
+    wrong += pack_shape(pack, i) != (i < 17 ? pack->species[0].shape : NULL) || pack->angle[i] != 0;
+    pack->angle[i] = 0.0625 * (double)i + 0.3;
+  }
+  gsl_test_int(wrong, 0, "shapes of particles, all at angle 0");
+  gsl_test_rel(pack_narrowest(pack), 0.41, 1e-15, "the smallest disc inside is a disc's own");
+  double r = sqrt(M_PI / (2.5 * sin(0.4 * M_PI)));
+  gsl_test_rel(pack_widest(pack), 1.3 * r, 1e-14, "the largest disc around, that of a pentagon");
+  gsl_test(pack_narrowest(discs) != 0.41 || pack_widest(discs) != 0.41, "of discs they are the radius");
+  gsl_test(pack_narrowest(none) != 0 || pack_widest(none) != 0, "and 0 of no particle");
+  gsl_test_rel(pack_solid(pack), M_PI * (17 * 1.69 + 29 * 0.1681), 1e-14, "an area is that of the radius, whatever the shape");
+  pack->x[0] = 2.25;
+  pack->x[1] = 6.5;
+  Body body = pack_body(pack, 0), disc = pack_body(discs, 3);
+  gsl_test(body.shape != pack->species[0].shape || body.radius != 1.3 || body.x != 2.25 || body.y != 6.5, "a particle as a body");
+  gsl_test_rel(atan2(body.s, body.c), 0.3, 1e-15, "turned by its angle");
+  gsl_test(disc.shape || disc.radius != 0.41 || disc.c != 1 || disc.s != 0, "a disc is not turned");
+  Pack *copy = pack_copy(pack);
+  gsl_test(!same_shapes(copy, pack) || copy->species[0].shape == pack->species[0].shape, "a copy has shapes of its own");
+  gsl_test(!copy->angle || memcmp(copy->angle, pack->angle, pack->n * sizeof(double)) != 0, "and the angles");
+  pack_free(&pack);
+  gsl_test_rel(copy->species[0].shape->outer, r, 1e-14, "which outlive the pack");
+  pack_free(&copy);
+  pack_free(&none);
+  pack_free(&discs);
 }
 
 static void test_volumes(void) {
@@ -114,6 +154,7 @@ int main(void) {
   test_finite();
   test_storage();
   test_bytes();
+  test_shapes();
   test_volumes();
   test_audit();
   return gsl_test_summary();
