@@ -2157,10 +2157,10 @@ typedef struct {
   FieldSweep sum;
   uint64_t turns;
   double *x; /* the places in the end, or NULL */
-} Turning;
+} TurningJob;
 
-static Turning turning_job(const Pack *fine, size_t t, double *x) {
-  return (Turning){.fine = fine,
+static TurningJob turning_job(const Pack *fine, size_t t, double *x) {
+  return (TurningJob){.fine = fine,
                    .ratio = turnings[t].ratio,
                    .coarse = fine->n / turnings[t].of,
                    .x = x};
@@ -2179,7 +2179,7 @@ static Field *turning_field(const Pack *fine) {
 }
 
 /* The first particles after that in the middle lie anywhere. */
-static void turning_run(Turning *job, FieldSweep sweep(Field *, double)) {
+static void turning_run(TurningJob *job, FieldSweep sweep(Field *, double)) {
   const double step = 0.15, slack = 2 * 1e-2;
   Field *field = turning_field(job->fine);
   sweep(field, slack);
@@ -2210,8 +2210,8 @@ static void turning_all(void *of) {
 /* Coordinates in which the two differ at all, and pushes. */
 static size_t turning_differences(const Pack *fine, size_t t) {
   double *x = memory(6 * fine->n, sizeof *x);
-  Turning follow = turning_job(fine, t, x);
-  Turning all = turning_job(fine, t, x + 3 * fine->n);
+  TurningJob follow = turning_job(fine, t, x);
+  TurningJob all = turning_job(fine, t, x + 3 * fine->n);
   turning_follow(&follow);
   turning_all(&all);
   size_t differ = follow.sum.pushes != all.sum.pushes;
@@ -2256,7 +2256,7 @@ static void turning_size(Bench *bench, size_t n, Point point[TURNINGS + 1]) {
     GravityReport report;
     Pack *fine = gravity_make(MADE_ADAPTIVE, 3, n, k, &report);
     for (size_t t = 0; t < TURNINGS; t++) {
-      Turning job = turning_job(fine, t, NULL);
+      TurningJob job = turning_job(fine, t, NULL);
       turning_follow(&job);
       work[t][k] = (double)job.sum.turns / (double)job.turns;
       if (k == 0 && n == turning_sizes[0])
@@ -2331,7 +2331,7 @@ static void growth_case(Bench *bench, Making how, int dim, size_t n) {
 
 /* Here it is a turn of a coarse ball. */
 static void turning_case(Bench *bench, const Pack *fine, size_t t) {
-  Turning job = turning_job(fine, t, NULL);
+  TurningJob job = turning_job(fine, t, NULL);
   const Case cases[] = {{"ours", turning_follow, &job, GSL_NAN},
                         {"plain_sweep", turning_all, &job, GSL_NAN}};
   char label[32];
@@ -2415,6 +2415,8 @@ static void side_seconds(Bench *bench) {
   pack_free(&dense);
 }
 
+#include "bench_shapes.h"
+
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
   const char *name;
@@ -2464,7 +2466,24 @@ static const Task tasks[] = {
      {"rsa", "crm", "engine", "motion", "near", "events", "shake", "field",
       "gravity", "dilute", "flags"},
      NULL,
-     side_seconds}};
+     side_seconds},
+    {"overlap",
+     {"overlap", "shape", "elementary", "flags"},
+     overlap_operations,
+     overlap_seconds},
+    {"covered",
+     {"cover", "overlap", "shape", "elementary", "pack", "flags"},
+     NULL,
+     covered_seconds},
+    {"turning",
+     {"turning", "compression", "apart", "overlap", "shape", "near", "simd",
+      "flags"},
+     NULL,
+     turning_seconds},
+    {"penetrable",
+     {"penetrable", "cover", "overlap", "shape", "elementary", "rng", "flags"},
+     NULL,
+     penetrable_seconds}};
 
 static void operations(Bench *bench) {
   char print[COUNT(tasks)][17];
