@@ -67,6 +67,7 @@ static void test_exact(void) {
       gsl_test(status, "%g grains reach %g: %s", cases[c][0], cases[c][3], out.text);
       gsl_test_abs(covered(pack, NULL), cases[c][3], 2e-14, "and %g is covered", cases[c][3]);
       gsl_test(report.fraction != covered(pack, NULL), "as reported");
+      gsl_test(report.drift > 1e-14, "what was kept is right to %g", report.drift);
       gsl_test(report.trials < cases[c][0] || report.exchanges > report.trials, "with trials");
       pack_free(&pack);
     }
@@ -74,6 +75,7 @@ static void test_exact(void) {
   PenetrableReport report;
   Outcome out = {0}, late = {0}, none = {0};
   gsl_test_int(penetrable_exchange(pack, 0.32, 1e-14, 1, &rng, &report, &out), UNREACHED, "more than all grains");
+  gsl_test(!strstr(out.text, "all grains together"), "it says so");
   gsl_test_int(penetrable_regenerate(pack, 0.32, 1e-5, 10, &rng, &report, &none), UNREACHED, "by either road");
   gsl_test_int(penetrable_regenerate(pack, 0.2, 1e-9, 10, &rng, &report, &late), UNREACHED, "in ten attempts");
   gsl_test(report.attempts != 10, "they are counted");
