@@ -246,6 +246,19 @@ static void test_touching(void) {
   shape_free(&long_one);
 }
 
+/* Two tips on sides, as found by a search: the ends of the arc that is hidden come out in the wrong order. */
+static void test_tips(void) {
+  Shape *four = shape_regular(4);
+  Body one[] = {{four, 0x1.1c75cd3fe77fbp-2, 0x1.ec04a0337cbdp+0, 0x1.482feb272786ep+2, 0x1.61c3832bca09bp-1, -0x1.7220f054209aep-1},
+                {four, 0x1.5e2215c9b0d48p+0, 3, 4, -0x1.ffde84f011998p-1, 0x1.724be5e76123bp-6}};
+  Body two[] = {{four, 0x1.42821bf8b2f1dp-2, 0x1.116b839f60a2dp+2, 0x1.6424b5e705bccp+1, -0x1.71e209c284e54p-1, 0x1.620546eeb3607p-1},
+                {four, 0x1.8aaa10a447208p+0, 3, 4, 0x1.ffe08b621acc5p-1, 0x1.66ec88927af2p-6}};
+  double R = one[0].radius, r = one[1].radius, S = two[0].radius, s = two[1].radius;
+  check(one, 2, NULL, M_PI * (R * R + r * r), 4 * sqrt(M_PI) * (R + r), 1e-14, "a tip on a side");
+  check(two, 2, NULL, M_PI * (S * S + s * s), 4 * sqrt(M_PI) * (S + s), 1e-14, "another");
+  shape_free(&four);
+}
+
 /* Two of all kinds share what they are not the union of; whoever comes first. */
 static void test_pairs(void) {
   Shape *shapes[KINDS];
@@ -311,6 +324,7 @@ int main(void) {
   test_random();
   test_counts();
   test_touching();
+  test_tips();
   test_pairs();
   test_hard();
   return gsl_test_summary();

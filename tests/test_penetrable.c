@@ -54,7 +54,7 @@ static void test_exact(void) {
   Shape *shapes[] = {shape_regular(5), shape_superellipse(1.5, 1.5), NULL};
   static const double cases[][4] = {/* n, R, side, phi */
                                     {13, 0.5, 100, 0.001}, {30, 1, 11, 0.55}, {30, 1, 3.7, 0.999},
-                                    {3, 2, 5, 0.8},        {2, 3.1, 7, 0.9},  {1, 2, 6, 0.349065850398865915}};
+                                    {3, 2, 5, 0.8},        {2, 3.8, 7, 0.97},  {1, 2, 6, 0.349065850398865915}};
   Rng rng = rng_stream(82, 0, RNG_TEST);
   for (size_t c = 0; c < 6; c++)
     for (int k = 0; k < 3; k++) {
