@@ -100,7 +100,7 @@ static void test_by_hand(void) {
   shape_free(&square);
 }
 
-/* The bodies touch in the normal n, then B moves by e along n. */
+/* The bodies touch in the normal n of a side if one has sides, then B moves by e along n. */
 static void test_gaps(void) {
   static const double e[] = {1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-13, 2e-14};
   Shape *shapes[SHAPES];
@@ -109,10 +109,17 @@ static void test_gaps(void) {
   int wrong = 0, rough = 0, told = 0, tried = 0, pairs = as_many(300, 20000);
   for (int k = 0; k < pairs; k++) {
     double phi = 2 * M_PI * rng_uniform(&rng), nx = cos(phi), ny = sin(phi), p[2], q[2];
+    uint64_t side = rng_below(&rng, 3);
     Body A = any(shapes, &rng, 0.2), B = any(shapes, &rng, 0.2);
     if ((A.shape && A.shape->a > 2.2) || (B.shape && B.shape->a > 2.2))
       continue;
     A.x = A.y = B.x = B.y = 0;
+    const Body *flat = A.shape && A.shape->sides ? &A : B.shape && B.shape->sides ? &B : NULL;
+    if (flat) {
+      double sign = flat == &A ? 1 : -1, u = flat->shape->nx[side], v = flat->shape->ny[side];
+      nx = sign * (flat->c * u - flat->s * v);
+      ny = sign * (flat->s * u + flat->c * v);
+    }
     width(&A, nx, ny, p);
     width(&B, -nx, -ny, q);
     for (int i = 0; i < 14; i++) {
@@ -167,6 +174,31 @@ static void test_pairs(void) {
   free_shapes(shapes);
 }
 
+/* Overlaps of a tip or a corner by 1 to 1e-8 of the size, which a walk from node to node would pass by */
+static void test_shallow(void) {
+  Shape *shapes[SHAPES];
+  Rng rng = rng_stream(75, 0, RNG_TEST);
+  make_shapes(shapes);
+  int disagree = 0, outside = 0;
+  for (int k = 0; k < as_many(6000, 400000); k++) {
+    Body A = any(shapes, &rng, 0.1), B = any(shapes, &rng, 0.1);
+    double phi = 7 * rng_uniform(&rng), nx = cos(phi), ny = sin(phi), e = pow(1e-8, rng_uniform(&rng)), p[2], q[2];
+    e *= GSL_MIN_DBL(A.radius, B.radius);
+    A.x = A.y = B.x = B.y = 0;
+    width(&A, nx, ny, p);
+    width(&B, -nx, -ny, q);
+    B.x = p[0] - q[0] - e * nx;
+    B.y = p[1] - q[1] - e * ny;
+    Overlap o;
+    bool overlaps = overlap_find(&A, &B, &o);
+    disagree += overlaps != (overlap_verdict(&A, &B, NULL) == OVERLAP_CROSSING);
+    outside += !(o.low <= o.area && o.area <= o.high);
+  }
+  gsl_test_int(disagree, 0, "verdict and area agree on shallow overlaps");
+  gsl_test_int(outside, 0, "whose area is inside its bracket");
+  free_shapes(shapes);
+}
+
 /* The derivatives of the area by the place and the angles, by differences; the sampled area; and polygons of many nodes */
 static void test_forces(void) {
   Shape *shapes[SHAPES];
@@ -208,7 +240,7 @@ static void test_forces(void) {
     if (A.shape && A.shape->m == 0 && B.shape && B.shape->m == 0)
       continue;
     overlap_mixed(&A, &B, 160, &other);
-    gsl_test(!(fabs(other.area - o.area) < 4e-4 * least && other.low <= o.area + 1e-14 && o.area <= other.high + 1e-14),
+    gsl_test(!(fabs(other.area - o.area) < 2e-3 * least && other.low <= o.area + 1e-14 && o.area <= other.high + 1e-14),
              "%s and %s: mixed %.9g, want %.9g", name(&A), name(&B), other.area, o.area);
     gsl_test(!(fabs(other.x - o.x) < 1e-2 && fabs(other.fx - o.fx) + fabs(other.fy - o.fy) < 0.05), "its centroid and force");
   }
@@ -320,6 +352,7 @@ int main(void) {
   test_by_hand();
   test_gaps();
   test_pairs();
+  test_shallow();
   test_forces();
   test_coincident();
   test_contained();
