@@ -175,7 +175,7 @@ static void test_counts(void) {
                  "rows count as points, %d", k);
   }
   for (int k = 0; k < 25; k++)
-    b[k] = square_at(shapes[1], 1 + (k % 3), 0.5 * k, 9 - k % 4);
+    b[k] = square_at(shapes[1], 1 + (k % 3), 0.25 + 0.5 * k, 8.75 - k % 4);
   for (int k = 0; k < 25; k++)
     b[k].x = box_wrap(b[k].x, 10), b[k].y = box_wrap(b[k].y, 10);
   for (int k = 1; k < 25; k++)
@@ -183,6 +183,80 @@ static void test_counts(void) {
                  "edges on points, %d", k);
   for (int k = 0; k < KINDS; k++)
     shape_free(&shapes[k]);
+}
+
+/* Side by side at any angle: rounding alone decides what a boundary does in the other body. */
+static void test_touching(void) {
+  Shape *four = shape_regular(4), *round = shape_superellipse(1, 50), *long_one = shape_superellipse(5, 50);
+  const Shape *kinds[] = {four, NULL, round, long_one};
+  Rng rng = rng_stream(75, 0, RNG_TEST);
+  double worst[4] = {0}, longest = 0, corner = 0, hidden = 0, tipped = 0;
+  for (int k = 0; k < as_many(100, 5000); k++)
+    for (int c = 0; c < 4; c++) {
+      const Shape *shape = kinds[c];
+      double angle = 2 * M_PI * rng_uniform(&rng), u, v;
+      double R = 0.7 + rng_uniform(&rng), r = k % 2 ? R : 0.7 + rng_uniform(&rng);
+      double d = c == 0 ? four->inner : c == 1 ? 1 : shape->b, along = k % 4 == 3 ? 0.3 * rng_uniform(&rng) : 0;
+      elementary_turn(angle, &u, &v);
+      d *= R + r;
+      double x = 3 + 4 * rng_uniform(&rng), y = 3 + 4 * rng_uniform(&rng), turned = c ? angle - M_PI / 2 : angle + M_PI / 4;
+      Body b[2] = {body(shape, R, x, y, turned), body(shape, r, x + d * u - along * v, y + d * v + along * u, turned)};
+      double perimeter, area = cover_area(b, 2, NULL, &perimeter), all = M_PI * (R * R + r * r);
+      worst[c] = GSL_MAX(worst[c], fabs(area - all));
+      if (c == 0 && k % 2 && !along)
+        longest = GSL_MAX(longest, fabs(perimeter - 6 * R * sqrt(M_PI)));
+      if (c == 0 && k % 4 == 0) {
+        double left = (k % 8 ? 1 : -1) * (GSL_MIN(R, r) - GSL_MAX(R, r)) * four->inner;
+        Body in[2] = {b[R > r ? 0 : 1], b[R > r ? 1 : 0]};
+        in[1].x = in[0].x + left * u, in[1].y = in[0].y + left * v;
+        hidden = GSL_MAX(hidden, fabs(cover_area(in, 2, NULL, &perimeter) - M_PI * in[0].radius * in[0].radius));
+        hidden = GSL_MAX(hidden, fabs(perimeter - 4 * in[0].radius * sqrt(M_PI)));
+      }
+      for (int inside = 0; inside < 2; inside++) {
+        double small = 0.2 * r, way = R * four->inner + (inside ? -small : small) * four->outer;
+        Body t[2] = {body(four, R, x, y, angle + M_PI / 4), body(four, small, x, y, inside ? angle : angle + M_PI)};
+        t[1].x += way * u - 0.1 * along * v, t[1].y += way * v + 0.1 * along * u;
+        Body back[2] = {t[1], t[0]};
+        double want = M_PI * (R * R + (inside ? 0 : small * small)), sides = 4 * sqrt(M_PI) * (R + (inside ? 0 : small));
+        tipped = GSL_MAX(tipped, fabs(cover_area(t, 2, NULL, &perimeter) - want));
+        tipped = GSL_MAX(tipped, fabs(perimeter - sides));
+        tipped = GSL_MAX(tipped, fabs(cover_area(back, 2, NULL, &perimeter) - want));
+        tipped = GSL_MAX(tipped, fabs(perimeter - sides));
+      }
+      double edge = (k % 2 ? 10 : 0) + (k % 4 < 2 ? 1 : -1) * R * four->outer;
+      Body tip = body(four, R, nextafter(box_wrap(edge, 10), k % 3 ? 20 * (k % 3 - 1) : edge), y, 0);
+      corner = GSL_MAX(corner, fabs(cover_area(&tip, 1, &square10, &perimeter) - M_PI * R * R));
+      corner = GSL_MAX(corner, fabs(perimeter - 4 * R * sqrt(M_PI)));
+      Body tips[2] = {tip, tip};
+      tips[1].x += k % 8 < 4 ? 0.3 : -0.3;
+      tips[1].y += 0.8 * R;
+      double tips_area = cover_area(tips, 2, NULL, NULL);
+      tips[1].x = box_wrap(tips[1].x, 10);
+      corner = GSL_MAX(corner, fabs(cover_area(tips, 2, &square10, NULL) - tips_area));
+    }
+  static const char *const name[] = {"squares", "discs", "rounded squares", "long ones"};
+  for (int c = 0; c < 4; c++)
+    gsl_test_abs(worst[c], 0, c < 2 ? 3e-14 : 3e-13, "%s side by side", name[c]);
+  gsl_test_abs(longest, 0, 1e-13, "no common side is exposed");
+  gsl_test_abs(hidden, 0, 1e-13, "a square at the side of one around it");
+  gsl_test_abs(tipped, 0, 1e-13, "a corner on a side, from without and within");
+  gsl_test_abs(corner, 0, 1e-13, "a corner on the line x = 0");
+  shape_free(&four);
+  shape_free(&round);
+  shape_free(&long_one);
+}
+
+/* Two tips on sides, as found by a search: the ends of the arc that is hidden come out in the wrong order. */
+static void test_tips(void) {
+  Shape *four = shape_regular(4);
+  Body one[] = {{four, 0x1.1c75cd3fe77fbp-2, 0x1.ec04a0337cbdp+0, 0x1.482feb272786ep+2, 0x1.61c3832bca09bp-1, -0x1.7220f054209aep-1},
+                {four, 0x1.5e2215c9b0d48p+0, 3, 4, -0x1.ffde84f011998p-1, 0x1.724be5e76123bp-6}};
+  Body two[] = {{four, 0x1.42821bf8b2f1dp-2, 0x1.116b839f60a2dp+2, 0x1.6424b5e705bccp+1, -0x1.71e209c284e54p-1, 0x1.620546eeb3607p-1},
+                {four, 0x1.8aaa10a447208p+0, 3, 4, 0x1.ffe08b621acc5p-1, 0x1.66ec88927af2p-6}};
+  double R = one[0].radius, r = one[1].radius, S = two[0].radius, s = two[1].radius;
+  check(one, 2, NULL, M_PI * (R * R + r * r), 4 * sqrt(M_PI) * (R + r), 1e-14, "a tip on a side");
+  check(two, 2, NULL, M_PI * (S * S + s * s), 4 * sqrt(M_PI) * (S + s), 1e-14, "another");
+  shape_free(&four);
 }
 
 /* Two of all kinds share what they are not the union of; whoever comes first. */
@@ -249,6 +323,8 @@ int main(void) {
   test_ties();
   test_random();
   test_counts();
+  test_touching();
+  test_tips();
   test_pairs();
   test_hard();
   return gsl_test_summary();

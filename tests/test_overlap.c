@@ -100,7 +100,7 @@ static void test_by_hand(void) {
   shape_free(&square);
 }
 
-/* The bodies touch in the normal n, then B moves by e along n. */
+/* The bodies touch in the normal n, of a side in its middle if one has sides; then B moves by e along n. */
 static void test_gaps(void) {
   static const double e[] = {1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-13, 2e-14};
   Shape *shapes[SHAPES];
@@ -109,12 +109,27 @@ static void test_gaps(void) {
   int wrong = 0, rough = 0, told = 0, tried = 0, pairs = as_many(300, 20000);
   for (int k = 0; k < pairs; k++) {
     double phi = 2 * M_PI * rng_uniform(&rng), nx = cos(phi), ny = sin(phi), p[2], q[2];
+    uint64_t side = rng_below(&rng, 3);
     Body A = any(shapes, &rng, 0.2), B = any(shapes, &rng, 0.2);
     if ((A.shape && A.shape->a > 2.2) || (B.shape && B.shape->a > 2.2))
       continue;
     A.x = A.y = B.x = B.y = 0;
+    const Body *flat = A.shape && A.shape->sides ? &A : B.shape && B.shape->sides ? &B : NULL;
+    if (flat) {
+      double sign = flat == &A ? 1 : -1, u = flat->shape->nx[side], v = flat->shape->ny[side];
+      nx = sign * (flat->c * u - flat->s * v);
+      ny = sign * (flat->s * u + flat->c * v);
+    }
     width(&A, nx, ny, p);
     width(&B, -nx, -ny, q);
+    if (flat) {
+      const Shape *s = flat->shape;
+      int next = ((int)side + 1) % s->sides;
+      double u = flat->radius * (s->x[side] + s->x[next]) / 2, v = flat->radius * (s->y[side] + s->y[next]) / 2;
+      double *middle = flat == &A ? p : q;
+      middle[0] = flat->c * u - flat->s * v;
+      middle[1] = flat->s * u + flat->c * v;
+    }
     for (int i = 0; i < 14; i++) {
       double gap, signed_e = i & 1 ? -e[i / 2] : e[i / 2];
       B.x = p[0] - q[0] + signed_e * nx;
@@ -167,6 +182,48 @@ static void test_pairs(void) {
   free_shapes(shapes);
 }
 
+/* Overlaps of a tip or a corner by 1 to 1e-8 of the size, which a walk from node to node would pass by */
+static void test_shallow(void) {
+  Shape *shapes[SHAPES];
+  Rng rng = rng_stream(75, 0, RNG_TEST);
+  make_shapes(shapes);
+  int disagree = 0, outside = 0;
+  for (int k = 0; k < as_many(6000, 400000); k++) {
+    Body A = any(shapes, &rng, 0.1), B = any(shapes, &rng, 0.1);
+    double phi = 7 * rng_uniform(&rng), nx = cos(phi), ny = sin(phi), e = pow(1e-8, rng_uniform(&rng)), p[2], q[2];
+    e *= GSL_MIN_DBL(A.radius, B.radius);
+    A.x = A.y = B.x = B.y = 0;
+    width(&A, nx, ny, p);
+    width(&B, -nx, -ny, q);
+    B.x = p[0] - q[0] - e * nx;
+    B.y = p[1] - q[1] - e * ny;
+    Overlap o;
+    bool overlaps = overlap_find(&A, &B, &o);
+    disagree += overlaps != (overlap_verdict(&A, &B, NULL) == OVERLAP_CROSSING);
+    outside += !(o.low <= o.area && o.area <= o.high);
+  }
+  gsl_test_int(disagree, 0, "verdict and area agree on shallow overlaps");
+  gsl_test_int(outside, 0, "whose area is inside its bracket");
+  free_shapes(shapes);
+}
+
+/* A tip enters a smooth side between two nodes by 1e-4: against polygons with many more nodes */
+static void test_tip(void) {
+  Shape *smooth = shape_superellipse(1.2, 1.1), *tip = shape_superellipse(1, 0.51);
+  for (int k = 0; k < 12; k++) {
+    double phi = 0.13 + 0.511 * k, n[2] = {cos(phi), sin(phi)}, p[2];
+    Body A = body(smooth, 0.5, 0, 0, 0.3), B = body(tip, 1, 0, 0, phi + M_PI);
+    width(&A, n[0], n[1], p);
+    B.x = p[0] + (tip->a - 1e-4) * n[0];
+    B.y = p[1] + (tip->a - 1e-4) * n[1];
+    Overlap o, fine;
+    gsl_test(!overlap_find(&A, &B, &o) || !overlap_mixed(&A, &B, 2000, &fine), "tip %d enters", k);
+    gsl_test_rel(o.area, fine.area, 0.02, "tip %d", k);
+  }
+  shape_free(&smooth);
+  shape_free(&tip);
+}
+
 /* The derivatives of the area by the place and the angles, by differences; the sampled area; and polygons of many nodes */
 static void test_forces(void) {
   Shape *shapes[SHAPES];
@@ -208,7 +265,7 @@ static void test_forces(void) {
     if (A.shape && A.shape->m == 0 && B.shape && B.shape->m == 0)
       continue;
     overlap_mixed(&A, &B, 160, &other);
-    gsl_test(!(fabs(other.area - o.area) < 4e-4 * least && other.low <= o.area + 1e-14 && o.area <= other.high + 1e-14),
+    gsl_test(!(fabs(other.area - o.area) < 2e-3 * least && other.low <= o.area + 1e-14 && o.area <= other.high + 1e-14),
              "%s and %s: mixed %.9g, want %.9g", name(&A), name(&B), other.area, o.area);
     gsl_test(!(fabs(other.x - o.x) < 1e-2 && fabs(other.fx - o.fx) + fabs(other.fy - o.fy) < 0.05), "its centroid and force");
   }
@@ -276,7 +333,7 @@ static void test_sampled(void) {
   Body A = body(square, 1, 0, 0, M_PI / 4), B = body(square, 1, side * (1 - 1e-9), 0, M_PI / 4);
   Overlap o;
   gsl_test(overlap_sampled(&A, &B, 1000000, false, &o), "an overlap of 1e-9 is between 1e6 points");
-  gsl_test(!overlap_sampled(&A, &B, 10000, true, &o), "their layer finds it");
+  gsl_test(!overlap_sampled(&A, &B, 20000, true, &o), "their layer finds it");
   gsl_test(!overlap_find(&A, &B, &o), "and so do we");
   gsl_test_rel(o.area, 1e-9 * M_PI, 1e-6, "exactly");
   B.x = 0.5 * side;
@@ -320,6 +377,8 @@ int main(void) {
   test_by_hand();
   test_gaps();
   test_pairs();
+  test_shallow();
+  test_tip();
   test_forces();
   test_coincident();
   test_contained();
