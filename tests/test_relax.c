@@ -150,6 +150,7 @@ static void test_unreached(void) {
   Rng rng = rng_stream(2, 0, RNG_RELAX);
   plan.alone = false;
   gsl_test_int(relax_pack(pack, &plan, &rng, &report, &out), UNREACHED, "pentagons at .95");
+  gsl_test_int(report.sweeps, 4, "pentagons at .95: two sweeps each");
   gsl_test_int((int)report.steps, 600, "pentagons at .95: both roads to the end");
   gsl_test(!(report.residual > 1e-4 && report.residual < 0.1), "residual %g", report.residual);
   gsl_test(!(report.reached > 0.5 && report.reached < 0.92), "reached %g", report.reached);
