@@ -1,0 +1,330 @@
+/* tests/test_overlap.c: verdicts at known gaps, areas against closed forms and other methods, forces by differences, and the
+   cases that break others: coincident shapes and edges, containment, eight crossings, tips, needles */
+#include "elementary.h"
+#include "many.h"
+#include "overlap.h"
+#include "rng.h"
+#include <float.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_test.h>
+#include <math.h>
+
+enum { SHAPES = 21 };
+
+static void make_shapes(Shape *shapes[SHAPES]) {
+  static const double m[] = {0.5, 0.51, 0.77, 1, 1.5, 2, 5, 50};
+  int n = 0;
+  shapes[n++] = NULL;
+  for (int sides = 3; sides <= 6; sides++)
+    shapes[n++] = shape_regular(sides);
+  for (int i = 0; i < 8; i++) {
+    shapes[n++] = shape_superellipse(1.3, m[i]);
+    shapes[n++] = shape_superellipse(5, m[i]);
+  }
+}
+
+static void free_shapes(Shape *shapes[SHAPES]) {
+  for (int i = 0; i < SHAPES; i++)
+    shape_free(&shapes[i]);
+}
+
+static Body body(const Shape *shape, double radius, double x, double y, double angle) {
+  Body b = {shape, radius, x, y, 1, 0};
+  elementary_turn(angle, &b.c, &b.s);
+  return b;
+}
+
+static Body any(Shape *const shapes[], Rng *rng, double least) {
+  const Shape *shape = shapes[rng_below(rng, SHAPES)];
+  double radius = pow(least, rng_uniform(rng)), x = 3 * rng_uniform(rng) - 1.5;
+  return body(shape, radius, x, 3 * rng_uniform(rng) - 1.5, 7 * rng_uniform(rng));
+}
+
+static double gauge(const Body *b, double x, double y) {
+  double u = (x - b->x) / b->radius, v = (y - b->y) / b->radius, X = b->c * u + b->s * v, Y = b->c * v - b->s * u;
+  return b->shape ? shape_gauge(b->shape, X, Y) : hypot(X, Y);
+}
+
+static double width(const Body *b, double nx, double ny, double point[2]) {
+  double u = b->c * nx + b->s * ny, v = b->c * ny - b->s * nx, p[2] = {u, v};
+  double h = b->shape ? shape_farthest(b->shape, u, v, p) : 1;
+  point[0] = b->x + b->radius * (b->c * p[0] - b->s * p[1]);
+  point[1] = b->y + b->radius * (b->s * p[0] + b->c * p[1]);
+  return b->radius * h;
+}
+
+static const char *name(const Body *b) {
+  static char text[2][64];
+  static int k = 0;
+  k = !k;
+  const Shape *s = b->shape;
+  if (!s)
+    snprintf(text[k], sizeof *text, "disc %g", b->radius);
+  else if (s->kind == SHAPE_POLYGON)
+    snprintf(text[k], sizeof *text, "%d sides %g", s->sides, b->radius);
+  else
+    snprintf(text[k], sizeof *text, "m %g a/b %g %g", s->m, s->a / s->b, b->radius);
+  return text[k];
+}
+
+static void test_by_hand(void) {
+  Shape *square = shape_regular(4);
+  Body A = body(square, 1, 0.3, -0.2, 0.4), B = body(square, 1, 0.3, -0.2, 0.4 + M_PI / 4);
+  Overlap o;
+  gsl_test(!overlap_find(&A, &B, &o), "squares that cross eight times overlap");
+  gsl_test_rel(o.area, 2 * (M_SQRT2 - 1) * M_PI, 1e-14, "in an octagon");
+  gsl_test(!(fabs(o.fx) + fabs(o.fy) + fabs(o.torque_A) + fabs(o.torque_B) < 1e-14), "without force");
+  double side = sqrt(M_PI), turn = M_PI / 4;
+  A = body(square, 1, 0, 0, turn);
+  B = body(square, 1, side, 0.3 * side, turn);
+  gsl_test(overlap_find(&A, &B, &o) && o.area > 1e-14, "squares side by side do not: %g", o.area);
+  gsl_test(overlap_verdict(&A, &B, NULL) != OVERLAP_TOUCHING, "they touch");
+  B.x = 0.25 * side;
+  B.y = 0;
+  gsl_test(!overlap_find(&A, &B, &o), "squares with two coincident sides");
+  gsl_test_rel(o.area, 0.75 * M_PI, 1e-14, "three quarters");
+  gsl_test_rel(o.x, 0.125 * side, 1e-13, "centroid of what they share");
+  gsl_test_rel(o.fx, -side, 1e-13, "force along the sides");
+  double d = 1.1384, a = 1, b = 0.7013, u = (d * d + a * a - b * b) / (2 * d);
+  A = body(NULL, a, 5, 7, 0);
+  B = body(NULL, b, 5, 7 + d, 0);
+  double want = a * a * acos(u / a) + b * b * acos((d - u) / b) - d * sqrt(a * a - u * u);
+  gsl_test(!overlap_find(&A, &B, &o), "two discs");
+  gsl_test_rel(o.area, want, 1e-14, "a lens");
+  gsl_test_rel(o.fy, -2 * sqrt(a * a - u * u), 1e-14, "its chord is the force");
+  gsl_test(!(fabs(o.x - 5) < 1e-14 && o.y > 7 + d - b && o.y < 8), "its centroid");
+  B.y = 7.1;
+  gsl_test(!overlap_find(&A, &B, &o) || fabs(o.area / (M_PI * b * b) - 1) > 1e-14 || o.y != 7.1, "a disc in a disc");
+  B.y = 7 + 1.7014;
+  gsl_test(overlap_find(&A, &B, &o) || o.area != 0 || o.high != 0, "discs apart");
+  shape_free(&square);
+}
+
+/* The bodies touch in the normal n, then B moves by e along n. */
+static void test_gaps(void) {
+  static const double e[] = {1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-13, 2e-14};
+  Shape *shapes[SHAPES];
+  Rng rng = rng_stream(71, 0, RNG_TEST);
+  make_shapes(shapes);
+  int wrong = 0, rough = 0, told = 0, tried = 0, pairs = as_many(300, 20000);
+  for (int k = 0; k < pairs; k++) {
+    double phi = 2 * M_PI * rng_uniform(&rng), nx = cos(phi), ny = sin(phi), p[2], q[2];
+    Body A = any(shapes, &rng, 0.2), B = any(shapes, &rng, 0.2);
+    if ((A.shape && A.shape->a > 2.2) || (B.shape && B.shape->a > 2.2))
+      continue;
+    A.x = A.y = B.x = B.y = 0;
+    width(&A, nx, ny, p);
+    width(&B, -nx, -ny, q);
+    for (int i = 0; i < 14; i++) {
+      double gap, signed_e = i & 1 ? -e[i / 2] : e[i / 2];
+      B.x = p[0] - q[0] + signed_e * nx;
+      B.y = p[1] - q[1] + signed_e * ny;
+      OverlapVerdict verdict = overlap_verdict(&A, &B, NULL);
+      OverlapVerdict again = overlap_verdict(&B, &A, &gap);
+      wrong += verdict != again || verdict == (i & 1 ? OVERLAP_APART : OVERLAP_CROSSING);
+      told += verdict != OVERLAP_TOUCHING;
+      rough += i & 1 ? gap < signed_e * (1 + 1e-3) - 1e-14 || gap > 1e-14 : gap > signed_e + 1e-14;
+      if (!A.shape && !B.shape)
+        rough += fabs(gap - signed_e) > 1e-14;
+    }
+    B.x = p[0] - q[0];
+    B.y = p[1] - q[1];
+    gsl_test(overlap_verdict(&A, &B, NULL) != OVERLAP_TOUCHING, "%s and %s touch", name(&A), name(&B));
+    tried += 14;
+  }
+  gsl_test_int(wrong, 0, "verdicts at gaps and overlaps of 1e-3 to 2e-14");
+  gsl_test_int(rough, 0, "the gap that is reported is not above the true one");
+  gsl_test_int(told, tried, "all of them are certain");
+  free_shapes(shapes);
+}
+
+/* Any two bodies: the verdict and the area agree, the area is in its bracket, the order does not matter, the centroid is in both */
+static void test_pairs(void) {
+  Shape *shapes[SHAPES];
+  Rng rng = rng_stream(72, 0, RNG_TEST);
+  make_shapes(shapes);
+  int found = 0, disagree = 0, outside = 0, order = 0, astray = 0, pairs = as_many(20000, 2000000);
+  for (int k = 0; k < pairs; k++) {
+    Body A = any(shapes, &rng, k & 1 ? 0.01 : 0.3), B = any(shapes, &rng, 0.3);
+    Overlap o, r;
+    bool overlaps = overlap_find(&A, &B, &o);
+    overlap_find(&B, &A, &r);
+    disagree += overlaps != (overlap_verdict(&A, &B, NULL) == OVERLAP_CROSSING);
+    order += o.area != r.area || o.x != r.x || o.fx != -r.fx || o.fy != -r.fy || o.torque_A != r.torque_B ||
+             o.low != r.low;
+    if (!overlaps)
+      continue;
+    found++;
+    outside += !(o.low <= o.area && o.area <= o.high);
+    if (o.area > 1e-8)
+      astray += !(gauge(&A, o.x, o.y) < 1 && gauge(&B, o.x, o.y) < 1);
+  }
+  gsl_test(!(found > pairs / 10), "%d of %d pairs overlap", found, pairs);
+  gsl_test_int(disagree, 0, "verdict and area agree");
+  gsl_test_int(outside, 0, "the area is inside its bracket");
+  gsl_test_int(order, 0, "the order of the two bodies does not change a bit");
+  gsl_test_int(astray, 0, "the centroid lies in both");
+  free_shapes(shapes);
+}
+
+/* The derivatives of the area by the place and the angles, by differences; the sampled area; and polygons of many nodes */
+static void test_forces(void) {
+  Shape *shapes[SHAPES];
+  Rng rng = rng_stream(73, 0, RNG_TEST);
+  make_shapes(shapes);
+  for (int k = 0, pairs = as_many(60, 1000); k < pairs;) {
+    Body A = any(shapes, &rng, 0.5), B = any(shapes, &rng, 0.5);
+    Overlap o, low, high, other;
+    if (!overlap_find(&A, &B, &o) || o.area < 1e-3)
+      continue;
+    k++;
+    double e = 1e-6, want[] = {o.fx, o.fy, o.torque_A, o.torque_B}, c, s;
+    elementary_turn(e, &c, &s);
+    for (int i = 0; i < 4; i++) {
+      Body A1 = A, A2 = A, B1 = B, B2 = B, *turned[] = {i == 2 ? &A1 : &B1, i == 2 ? &A2 : &B2};
+      if (i == 0) {
+        A1.x -= e;
+        A2.x += e;
+      } else if (i == 1) {
+        A1.y -= e;
+        A2.y += e;
+      } else {
+        for (int j = 0; j < 2; j++) {
+          double sine = j ? s : -s, last = turned[j]->c;
+          turned[j]->c = c * last - sine * turned[j]->s;
+          turned[j]->s = c * turned[j]->s + sine * last;
+        }
+      }
+      overlap_find(&A1, &B1, &low);
+      overlap_find(&A2, &B2, &high);
+      double got = -(high.area - low.area) / (2 * e);
+      gsl_test(!(fabs(got - want[i]) < 2e-5), "%s and %s: derivative %d is %g, want %g", name(&A), name(&B), i, got,
+               want[i]);
+    }
+    double least = M_PI * gsl_pow_2(GSL_MIN_DBL(A.radius, B.radius)), cell;
+    overlap_sampled(&A, &B, 20000, false, &other);
+    cell = GSL_MAX_DBL(fabs(other.area - o.area), 0);
+    gsl_test(!(cell < 0.05 * sqrt(least)), "%s and %s: sampled %g, want %g", name(&A), name(&B), other.area, o.area);
+    if (A.shape && A.shape->m == 0 && B.shape && B.shape->m == 0)
+      continue;
+    overlap_mixed(&A, &B, 160, &other);
+    gsl_test(!(fabs(other.area - o.area) < 4e-4 * least && other.low <= o.area + 1e-14 && o.area <= other.high + 1e-14),
+             "%s and %s: mixed %.9g, want %.9g", name(&A), name(&B), other.area, o.area);
+    gsl_test(!(fabs(other.x - o.x) < 1e-2 && fabs(other.fx - o.fx) + fabs(other.fy - o.fy) < 0.05), "its centroid and force");
+  }
+  free_shapes(shapes);
+}
+
+/* One shape twice, shifted, turned or enlarged by e */
+static void test_coincident(void) {
+  static const double e[] = {0, 1e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-5};
+  Shape *shapes[SHAPES];
+  make_shapes(shapes);
+  for (int k = 0; k < SHAPES; k++)
+    for (int i = 0; i < 21; i++) {
+      double x = i % 3 == 0 ? e[i / 3] : 0, angle = i % 3 == 1 ? e[i / 3] : 0, grown = i % 3 == 2 ? e[i / 3] : 0;
+      Body A = body(shapes[k], 1, 0, 0, 0.7), B = body(shapes[k], 1 + grown, 0.6 * x, 0.8 * x, 0.7 + angle);
+      Overlap o;
+      bool found = overlap_find(&A, &B, &o);
+      gsl_test(!found || overlap_verdict(&A, &B, NULL) != OVERLAP_CROSSING, "%s upon itself, moved by %g", name(&A), e[i / 3]);
+      gsl_test(!(fabs(o.area - M_PI) <= 12 * e[i / 3] + 1e-14 && o.low <= o.area && o.area <= o.high),
+               "%s upon itself, moved by %g: area %.17g", name(&A), e[i / 3], o.area);
+    }
+  free_shapes(shapes);
+}
+
+/* A shape wholly inside another, of any kinds, in the middle or not */
+static void test_contained(void) {
+  Shape *shapes[SHAPES];
+  make_shapes(shapes);
+  for (int i = 0; i < SHAPES; i++)
+    for (int j = 0; j < SHAPES; j++) {
+      double inner = shapes[i] ? shapes[i]->inner : 1, outer = shapes[j] ? shapes[j]->outer : 1;
+      Body A = body(shapes[i], 1, 2, 3, 0.9), B = body(shapes[j], 0.7 * inner / outer, 2 + (j & 1) * 0.29 * inner, 3, 0.31);
+      Overlap o;
+      gsl_test(!overlap_find(i & 1 ? &A : &B, i & 1 ? &B : &A, &o), "%s in %s", name(&B), name(&A));
+      gsl_test_rel(o.area, M_PI * B.radius * B.radius, 1e-14, "%s in %s: all of it", name(&B), name(&A));
+      gsl_test(!(fabs(o.x - B.x) + fabs(o.y - B.y) + fabs(o.fx) + fabs(o.torque_A) < 1e-13), "at its centroid, without force");
+    }
+  free_shapes(shapes);
+}
+
+/* Needles across each other, and along */
+static void test_needles(void) {
+  static const double m[] = {0.5, 0.6, 1, 2, 50};
+  for (int i = 0; i < 5; i++) {
+    Shape *needle = shape_superellipse(50, m[i]);
+    Body A = body(needle, 1, 0, 0, 0.2), B = body(needle, 1, 0.4, 0.1, 0.2 + M_PI / 2);
+    Overlap o;
+    gsl_test(!overlap_find(&A, &B, &o), "needles across, m = %g", m[i]);
+    gsl_test(!(o.area > 0.6 * 4 * needle->b * needle->b * pow(0.5, 1 / m[i]) && o.area < 4.1 * needle->b * needle->b),
+             "their overlap, m = %g: %g", m[i], o.area);
+    B = body(needle, 1, 2 * needle->a * cos(0.2), 2 * needle->a * sin(0.2), 0.2);
+    double gap;
+    gsl_test(overlap_verdict(&A, &B, &gap) == OVERLAP_CROSSING && gap < -1e-13, "needles tip to tip, m = %g: %g", m[i], gap);
+    B.x *= 1 + 1e-12;
+    B.y *= 1 + 1e-12;
+    gsl_test(overlap_verdict(&A, &B, NULL) != OVERLAP_APART, "and a little apart, m = %g", m[i]);
+    shape_free(&needle);
+  }
+}
+
+/* What the lattice misses: an overlap between its points, which the layer sees; and the points that it counts */
+static void test_sampled(void) {
+  Shape *square = shape_regular(4);
+  double side = sqrt(M_PI);
+  Body A = body(square, 1, 0, 0, M_PI / 4), B = body(square, 1, side * (1 - 1e-9), 0, M_PI / 4);
+  Overlap o;
+  gsl_test(overlap_sampled(&A, &B, 1000000, false, &o), "an overlap of 1e-9 is between 1e6 points");
+  gsl_test(!overlap_sampled(&A, &B, 10000, true, &o), "their layer finds it");
+  gsl_test(!overlap_find(&A, &B, &o), "and so do we");
+  gsl_test_rel(o.area, 1e-9 * M_PI, 1e-6, "exactly");
+  B.x = 0.5 * side;
+  gsl_test(!overlap_sampled(&A, &B, 1350, false, &o), "45 by 30 points");
+  gsl_test_rel(o.area, 15. / 45 * 1.5 * M_PI, 1e-12, "15 in a row count");
+  gsl_test_rel(o.x, 0.25 * side, 1e-12, "their mean");
+  shape_free(&square);
+}
+
+static void test_potential(void) {
+  Shape *shapes[SHAPES];
+  Rng rng = rng_stream(74, 0, RNG_TEST);
+  make_shapes(shapes);
+  int wrong = 0, off = 0, higher = 0;
+  double a[2], b[2];
+  for (int k = 0; k < as_many(400, 10000); k++) {
+    Body A = any(shapes, &rng, 0.3), B = any(shapes, &rng, 0.3);
+    double point[2], gap;
+    if ((A.shape && (A.shape->sides || A.shape->a > 2)) || (B.shape && (B.shape->sides || B.shape->a > 2)))
+      continue;
+    OverlapVerdict verdict = overlap_verdict(&A, &B, &gap);
+    if (verdict == OVERLAP_CROSSING && hypot(A.x - B.x, A.y - B.y) < A.radius + 0.5 * B.radius)
+      continue; /* deep: one may lie in the other */
+    wrong += overlap_potential(&A, &B, a, b) != (verdict == OVERLAP_CROSSING);
+    off += !(fabs(gauge(&A, a[0], a[1]) - 1) < 1e-13 && fabs(gauge(&B, b[0], b[1]) - 1) < 1e-13);
+    for (int i = 0; i < 40; i++) {
+      width(&A, cos(0.157 * i), sin(0.157 * i), point);
+      higher += gauge(&B, point[0], point[1]) < gauge(&B, a[0], a[1]) - 1e-12;
+    }
+  }
+  gsl_test_int(wrong, 0, "the potential says the same");
+  gsl_test_int(off, 0, "its points are on the boundaries");
+  gsl_test_int(higher, 0, "no point of the boundary is deeper");
+  Body A = body(NULL, 1, 0, 0, 0), B = body(NULL, 0.7, 1.2, 0.9, 0);
+  overlap_potential(&A, &B, a, b);
+  gsl_test(!(hypot(a[0] - 0.8, a[1] - 0.6) < 1e-7 && hypot(b[0] - 0.64, b[1] - 0.48) < 1e-7), "of two discs");
+  free_shapes(shapes);
+}
+
+int main(void) {
+  test_by_hand();
+  test_gaps();
+  test_pairs();
+  test_forces();
+  test_coincident();
+  test_contained();
+  test_needles();
+  test_sampled();
+  test_potential();
+  return gsl_test_summary();
+}
