@@ -252,6 +252,21 @@ static void test_gap(void) {
   memcpy(pack->radius, a, sizeof a);
   gsl_test_rel(cells_least_gap(pack), 1.2, 1e-14, "the gap of the large ones");
   pack_free(&pack);
+  /* the same among so many small ones that the cells are narrow, and the two are four apart */
+  const double flat[3] = {7.2, 7.2, 0};
+  pack = uniform(2, flat, 800, 0.001, 1, true);
+  pack->n = 2;
+  for (size_t c = 0; c < 24 * 24; c++) {
+    double X = 0.3 * (double)(c % 24) + 0.1, Y = 0.3 * (double)(c / 24), *at = pack->x + 2 * pack->n;
+    at[0] = X, at[1] = Y;
+    pack->n += hypot(box_nearest(X - 0.7, 7.2), Y - 3.6) > 1.251 && hypot(X - 2.9, Y - 3.6) > 1.251;
+  }
+  const double two[] = {0.7, 3.6, 2.9, 3.6};
+  memcpy(pack->x, two, sizeof two);
+  pack->radius[0] = pack->radius[1] = 1;
+  gsl_test(cells_least_gap(pack) != pack_audit(pack) || !(pack_audit(pack) < 0.2001),
+           "and among many: %g, audit %g", cells_least_gap(pack), pack_audit(pack));
+  pack_free(&pack);
 }
 
 /* Points at the reach of each other, filed one cell too high by rounding. */

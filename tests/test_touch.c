@@ -81,6 +81,28 @@ static void test_turns(void) {
   shape_free(&some[1].shape);
 }
 
+/* Two large ones 0.2 apart, farther than the first search looks, among small ones that are 0.25 from all. */
+static void test_search(void) {
+  Box box = {2, {7.2, 7.2, 0}};
+  Species all[] = {{"L", 1, 2, NULL}, {"S", 1e-3, 0, shape_regular(4)}};
+  double x[2000] = {0.7, 3.6, 2.9, 3.6};
+  size_t n = 2;
+  for (int c = 0; c < 24 * 24; c++) {
+    double *at = x + 2 * n, outer = 1.25 + 1e-3 * all[1].shape->outer;
+    at[0] = 0.3 * (c % 24) + 0.1;
+    at[1] = 0.3 * (c / 24);
+    n += hypot(box_nearest(at[0] - 0.7, 7.2), at[1] - 3.6) > outer && hypot(at[0] - 2.9, at[1] - 3.6) > outer;
+  }
+  all[1].count = n - 2;
+  Pack *pack = pack_alloc(&box, all, 2, false);
+  for (size_t c = 0; c < 2 * n; c++)
+    pack->x[c] = x[c];
+  gsl_test(n < 400, "so many that cells are narrow: %d", (int)n);
+  gsl_test_abs(touch_least_gap(pack), 0.2, 1e-14, "beyond the first search");
+  pack_free(&pack);
+  shape_free(&all[1].shape);
+}
+
 static void test_balls(void) {
   Species discs[] = {{"A", 1, 30}, {"B", 0.25, 40}};
   Pack *pack = scattered(discs, 2, 17, 13, false, 5);
@@ -108,6 +130,7 @@ int main(void) {
   known(shape_regular(4), 11.5, 20, M_PI / 4, 20 - 11.5 * side, "as wide as half of it");
   test_balls();
   test_turns();
+  test_search();
   Species some[] = {{"P", 1, 9, shape_regular(5)},      {"T", 0.5, 8, shape_regular(3)}, {"D", 0.7, 7, NULL},
                     {"S", 1.2, 6, shape_superellipse(2.5, 1.5)}, {"E", 0.1, 3, shape_superellipse(0.3, 1)}};
   same_gap(some, 5, 40, 60, 1, false, "a few of many kinds");
