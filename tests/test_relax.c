@@ -101,18 +101,18 @@ static void test_packs(void) {
 static void test_plans(void) {
   const int pentagon[] = {5};
   const size_t count[] = {20};
-  for (int k = 0; k < 4; k++) {
+  for (int k = 0; k < 5; k++) {
     Pack *pack = random_pack(1, pentagon, count, 0.7, 3);
     RelaxPlan plan = plan_of(DYNAMICS_SPRINGS, 3000);
     RelaxReport report;
     Outcome out = {0};
     Rng rng = rng_stream(2, 0, RNG_RELAX);
     plan.model.centres = k == 0;
-    plan.model.friction = k == 1 ? 0.5 : 0;
-    plan.model.damping = k == 1 ? 0.3 : 0;
+    plan.model.friction = k % 3 == 1 ? 0.5 : 0;
+    plan.model.damping = k == 1 ? 0.3 : k == 4 ? 1 : 0;
     plan.drag = k == 2 ? 0.4 : 0;
-    plan.literal = k == 3;
-    plan.alone = k < 3;
+    plan.literal = k >= 3; /* it ends with friction, and not without */
+    plan.alone = k != 3;
     if (k == 3)
       plan.steps = 400;
     gsl_test(relax_pack(pack, &plan, &rng, &report, &out) != DONE, "plan %d: %s", k, out.text);
