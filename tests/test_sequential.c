@@ -57,7 +57,7 @@ static void test_excluded(void) {
   double chance = 1 - out_of / box_volume(&box), sum = 0;
   Pack *pack = empty(&box, n, false);
   Rng rng = rng_stream(62, 0, RNG_TEST);
-  int packs = as_many(2000, 100000);
+  int packs = as_many(1000, 100000);
   for (int k = 0; k < packs; k++) {
     double attempts = 0;
     size_t placed;
@@ -133,7 +133,7 @@ static double reached(int sides, size_t n, double time, int packs, double *error
 static void test_approach(void) {
   double e[3], phi[3];
   size_t n = (size_t)as_many(120, 2000);
-  double late = as_many(160, 800);
+  double late = as_many(100, 800);
   for (int k = 0; k < 3; k++)
     phi[k] = reached(5, n, late / (k == 0 ? 64 : k == 1 ? 8 : 1), 6, e + k);
   double limit = 2 * phi[2] - phi[1], error = sqrt(4 * e[2] * e[2] + e[1] * e[1]);
