@@ -13,7 +13,7 @@ for file in figures/*.scene; do
 done
 variants=("${all[@]}")
 small_scenes "$tmp"
-for name in mixed discs grown shaken; do
+for name in mixed discs shapes grown shaken; do
   tell "the same bytes of $name with ${variants[*]}" same_bytes "$tmp/$name.scene" $name
 done
 other_seed() { ends 0 "$randpack" run "$tmp/discs.scene" --set seed=0 --out "$tmp/seed" && ! diff -rq "$tmp/seed" "$tmp/one/discs"; }

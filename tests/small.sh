@@ -1,5 +1,5 @@
 # tests/small.sh: sourced; small_scenes DIR writes scenes there that have, together, every maker, shake and measure.
-# check-bytes.sh holds the first four to the same bytes here, slow-compilers.sh all of them elsewhere.
+# check-bytes.sh holds the first five to the same bytes here, slow-compilers.sh all of them elsewhere.
 small_scenes() {
 cat > "$1/mixed.scene" <<'END'
 dimension = 3; seed = 31; realizations = 5; box = [1.0, 1.3, 0.9]; gap = 0.02; save = true;
@@ -15,6 +15,15 @@ dimension = 2; seed = 9007199254740992; realizations = 7; side = 30.0; fraction 
 species = ( { name = "disc"; radius = 1.0; share = 0.25; }, { name = "dot"; radius = 0.4; share = 0.75; } );
 make = { method = "rsa"; };
 measure = { rdf = { reach = 9.0; step = 0.1; }; K = {}; approach = {}; order = {}; histogram = {}; };
+END
+cat > "$1/shapes.scene" <<'END'
+dimension = 2; seed = 11; realizations = 3; fraction = 0.3; save = true;
+species = ( { name = "P"; radius = 1.0; number = 60; shape = { kind = "polygon"; sides = 5; }; },
+            { name = "Q"; radius = 0.7; number = 40; shape = { kind = "polygon"; vertices = ([0, 0], [3, 0], (1, 2.5)); }; },
+            { name = "S"; radius = 1.5; number = 50; shape = { kind = "superellipse"; aspect = 1.5; m = 1.7; }; },
+            { name = "D"; radius = 0.5; number = 20; } );
+make = { method = "points"; };
+measure = { rdf = { reach = 5.0; }; nearest = {}; order = {}; };
 END
 cat > "$1/grown.scene" <<'END'
 dimension = 3; seed = 5; realizations = 3; save = true; box = [1.0, 1.0, 1.5];

@@ -139,6 +139,38 @@ static void parts(int dim, bool own) {
   pack_free(&pack);
 }
 
+/* Shapes and angles go with their particles, into a part and a cube. */
+static void shapes(void) {
+  enum { N = 90 };
+  bool is[N];
+  Box box = {2, {10, 12, 0}};
+  Species species[] = {{"P", 1.5, 40, shape_regular(5)}, {"D", 0.5, 50}};
+  Pack *pack = pack_alloc(&box, species, 2, false);
+  for (size_t i = 0; i < N; i++) {
+    pack->x[2 * i] = 10 * (double)i / N;
+    pack->x[2 * i + 1] = 4 + 0.04 * (double)i;
+    pack->angle[i] = i < 40 ? 0.1 * (double)i : 0;
+    is[i] = i % 3 == 1;
+  }
+  Pack *part = core_only(pack, is), *cube = core_cube(pack, 4);
+  int wrong = 0;
+  for (size_t i = 0, at = 0; i < N; i++)
+    if (is[i])
+      wrong += part->angle[at++] != pack->angle[i];
+  gsl_test(wrong || part->n != N / 3 || !same_shapes(part, pack), "a part of shapes, %d angles wrong", wrong);
+  wrong = cube->n < 20;
+  for (size_t c = 0, i = 0; c < cube->n; c++, i++) {
+    while (fabs(pack->x[2 * i] - 3 - cube->x[2 * c]) > 1e-12)
+      i++;
+    wrong += cube->angle[c] != pack->angle[i];
+  }
+  gsl_test(wrong || !same_shapes(cube, pack), "a square of shapes, %d angles wrong", wrong);
+  pack_free(&cube);
+  pack_free(&part);
+  pack_free(&pack);
+  shape_free(&species[0].shape);
+}
+
 /* Whoever is in the cube, and at the same place from its middle. */
 static void cubes(int dim) {
   enum { N = 700 };
@@ -225,6 +257,7 @@ static void turns(int dim) {
 }
 
 int main(void) {
+  shapes();
   for (int dim = 2; dim <= 3; dim++) {
     lenses(dim);
     within(dim);

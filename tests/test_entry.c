@@ -1,9 +1,9 @@
 /* tests/test_entry.c: makers keep their promises; every entry has words and an order of its own; pairs come as foretold */
 #include "ask.h"
-#include "cells.h"
 #include "entries.h"
 #include "read.h"
 #include "run.h"
+#include "touch.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
 #include <stdio.h>
@@ -23,6 +23,7 @@ static const struct {
     {"crm", "fraction = \"max\"; species = ( { radius = 1.0; number = 25; }, { radius = 1.7; number = 10; } ); make = { method = \"crm\"; growth = 0.5; pressure = 1e4; };"},
     {"lattice", "species = ( { radius = 1.5; } ); make = { method = \"lattice\"; lattice = \"bcc\"; n_l = 1; };"},
     {"points", "fraction = 0.4; species = ( { radius = 1.5; number = 90; } ); make = { method = \"points\"; };"},
+    {"points", "dimension = 2; fraction = 0.4; species = ( { radius = 1.5; number = 90; shape = { kind = \"polygon\"; sides = 3; }; } ); make = { method = \"points\"; };"},
     {"gravity", "species = ( { radius = 1.0; number = 120; }, { radius = 2.5; number = 4; } ); make = { method = \"gravity\"; };"},
     {"gravity", "fraction = 0.3; dilute = {}; species = ( { radius = 1.0; number = 120; } ); make = { method = \"gravity\"; };"},
 };
@@ -30,7 +31,9 @@ static const struct {
 static Scene *scene_of(const char *text) {
   Outcome out = {0};
   FILE *file = fopen(path, "w");
-  fputs("dimension = 3; seed = 77;\n", file);
+  if (!strstr(text, "dimension"))
+    fputs("dimension = 3;", file);
+  fputs("seed = 77;\n", file);
   fputs(text, file);
   fclose(file);
   Scene *scene = read_scene(path, NULL, 0, &out);
@@ -55,7 +58,8 @@ static void test_promises(size_t s) {
   gsl_test_str(maker->entry.name, scenes[s].maker, "the maker is found by its name");
   gsl_test_int((int)(facts & kinds), (int)(scene->facts & kinds), "%s: in a box or finite, as promised", scenes[s].maker);
   gsl_test((scene->facts & FACT_ONE_SIZE) != (facts & FACT_ONE_SIZE), "%s: of one size or several", scenes[s].maker);
-  gsl_test(pack && (scene->facts & FACT_HARD) && cells_least_gap(pack) < -2e-9 * pack_smallest(pack), "%s: no overlap",
+  gsl_test((scene->facts & FACT_BALLS) != (facts & FACT_BALLS), "%s: of balls or of shapes", scenes[s].maker);
+  gsl_test(pack && (scene->facts & FACT_HARD) && touch_least_gap(pack) < -2e-9 * pack_smallest(pack), "%s: no overlap",
            scenes[s].maker);
   pack_free(&pack);
   result_free(&result);

@@ -58,6 +58,45 @@ static void test_defaults(void) {
   gsl_test(s != NULL, "freed is NULL, and may be freed again");
 }
 
+/* Shapes of each kind; what does not depend on them, and what does. */
+static void test_shapes(void) {
+  static const char shaped[] =
+      "species = ( { name = \"P\"; radius = 2.5; volume = 3; shape = { kind = \"polygon\"; sides = 5; }; },\n"
+      "  { name = \"Q\"; radius = 1.5; volume = 1; shape = { kind = \"polygon\"; vertices = ([9, 1], (9, 4), [7.5, 1.0]); }; },\n"
+      "  { name = \"D\"; radius = 2.0; volume = 1; },\n"
+      "  { name = \"S\"; volume = 1; sizes = { law = \"power\"; exponent = 0.5; least = 1.0; most = 2.0; };\n"
+      "    shape = { kind = \"superellipse\"; aspect = 1.5; m = 1.25; }; } );\n"
+      "number = 500; fraction = 0.3; make = { method = \"points\"; }; dimension = 2;";
+  Scene *s = scene(shaped);
+  const Shape *P = s->species[0].shape, *Q = s->species[1].shape, *S = s->species[3].shape;
+  gsl_test(!P || P->sides != 5 || !(fabs(P->y[0]) < 1e-15) || !(P->x[0] > 1), "a pentagon with a vertex on the x-axis");
+  gsl_test(!Q || Q->sides != 3 || !(fabs(Q->x[0] - Q->x[1]) < 1e-15) || !(Q->x[2] < Q->x[0]), "a triangle as it was given");
+  gsl_test(!S || S->sides || fabs(S->a / S->b - 1.5) > 1e-15 || S->m != 1.25, "a superellipse with its axis a along x");
+  gsl_test(s->species[2].shape || s->facts & FACT_BALLS || scene_shaped(s) != true, "discs among them");
+  Scene *discs = scene("dimension = 2; species = ( { radius = 2.5; volume = 3; }, { radius = 1.5; volume = 1; },\n"
+                       "  { radius = 2.0; volume = 1; }, { volume = 1; sizes = { law = \"power\"; exponent = 0.5; least = 1.0; most = 2.0; }; } );\n"
+                       "number = 500; fraction = 0.3; make = { method = \"points\"; };");
+  Box box = ask_box(s), same = ask_box(discs);
+  gsl_test(!(discs->facts & FACT_BALLS) || scene_shaped(discs), "discs have no shape");
+  gsl_test(box.side[0] != same.side[0] || s->species[1].count != discs->species[1].count, "areas, so shares and box, are those of discs");
+  scene_free(&discs);
+  scene_free(&s);
+  static const char *const set[] = {"make.method=lattice", "species={shape}", "species.[0].shape.m=1e3"};
+  Outcome out;
+  s = read_text("dimension = 2; species = ( { radius = 2.0; number = 9; shape = { kind = \"superellipse\"; aspect = 0.5; m = 1; }; } );\n"
+                "fraction = 0.3; make = { method = \"points\"; }; sweep = ( { key = \"species.[0].shape.m\"; values = [0.5, 2.0]; } );",
+                NULL, 0, &out);
+  gsl_test(!s || s->species[0].shape->m != 0.5 || s->next->species[0].shape->m != 2, "a sweep of m (%s)", out.text);
+  gsl_test(!s || s->contact != 0, "points that overlap have no contact");
+  scene_free(&s);
+  for (int k = 0; k < 3; k++)
+    gsl_test(read_text(shaped, &set[k], 1, &out) != NULL, "refused: %s (%s)", set[k], out.text);
+  s = read_text("dimension = 2; species = ( { radius = 2.0; number = 9; }, { radius = 2.5; number = 9; shape = { kind = \"polygon\"; sides = 3; }; } );"
+                "measure = { rdf = { peaks = [1.945, 2.1]; }; };", NULL, 0, &out);
+  gsl_test(!s || fabs(s->contact - 2.5 * sqrt(M_PI / (3 * sqrt(3)))) > 1e-14, "of shapes, twice the radius of the smallest disc inside (%s)", out.text);
+  scene_free(&s);
+}
+
 static void test_boxes(void) {
   Scene *s = scene("dimension = 2; box = [3.0, 0.75]; side = 40.0; fraction = \"max\";\n"
                    "species = ( { radius = 1.0; } ); make = { method = \"rsa\"; };");
@@ -219,6 +258,7 @@ int main(void) {
   close(mkstemp(path));
   test_defaults();
   test_boxes();
+  test_shapes();
   test_shares();
   test_settings();
   test_long_numbers();

@@ -1,4 +1,5 @@
 /* tests/test_xyz.c: what is written is read back bit for bit; errors say where */
+#include "many.h"
 #include "outcome.h"
 #include "rng.h"
 #include "same.h"
@@ -41,6 +42,18 @@ static bool same_species(const Pack *a, const Pack *b) {
   return same;
 }
 
+/* Shapes of every kind, and discs between them; angles of every kind of double that [0, 2 pi) holds. */
+static Pack *make_shapes(const Species species[], int kinds, bool own) {
+  Pack *pack = make(2, species, kinds, own);
+  Rng rng = rng_stream(9, 0, RNG_TEST);
+  for (size_t i = 0; i < pack->n; i++) {
+    const double odd[] = {0, DBL_TRUE_MIN, DBL_MIN, nextafter(2 * M_PI, 0), M_PI, 1e-17, 0.1};
+    if (pack_shape(pack, i))
+      pack->angle[i] = i % 3 ? 2 * M_PI * rng_uniform(&rng) : odd[rng_below(&rng, 7)];
+  }
+  return pack;
+}
+
 static bool same_array(const void *a, const void *b, size_t bytes) {
   return !a ? !b : b && memcmp(a, b, bytes) == 0;
 }
@@ -58,7 +71,7 @@ static bool same_files(const char *a, const char *b) {
 }
 
 static void round_trip(int dim, const Species species[], int kinds, bool own, const char *what) {
-  Pack *pack = make(dim, species, kinds, own);
+  Pack *pack = dim == 2 && species->shape ? make_shapes(species, kinds, own) : make(dim, species, kinds, own);
   Outcome out = {0};
   char again[sizeof path + 6];
   snprintf(again, sizeof again, "%s.again", path);
@@ -74,6 +87,8 @@ static void round_trip(int dim, const Species species[], int kinds, bool own, co
   gsl_test(!same_array(pack->radius, back->radius, n * sizeof(double)), "%d-D, %s: radii", dim, what);
   gsl_test(!same_array(pack->kind, back->kind, n * sizeof(uint16_t)), "%d-D, %s: indices", dim, what);
   gsl_test(!same_species(pack, back), "%d-D, %s: species", dim, what);
+  gsl_test(!same_array(pack->angle, back->angle, n * sizeof(double)), "%d-D, %s: angles bit for bit", dim, what);
+  gsl_test(!same_shapes(pack, back), "%d-D, %s: shapes field by field", dim, what);
   gsl_test(!same_files(path, again), "%d-D, %s: written again, the same file", dim, what);
   remove(again);
   pack_free(&pack);
@@ -91,6 +106,50 @@ static void test_round_trips(void) {
   }
 }
 
+/* Random convex polygons, on an ellipse somewhere, in either order. */
+static Shape *some_polygon(Rng *rng, int n) {
+  double v[16][2], cx = 5 * rng_uniform(rng), a = pow(10, 4 * rng_uniform(rng) - 2);
+  int turn = rng_below(rng, 2) ? 1 : -1;
+  Outcome out = {0};
+  for (int i = 0; i < n; i++) {
+    double angle = turn * 2 * M_PI * (i + 0.7 * rng_uniform(rng)) / n;
+    v[i][0] = a * (cos(angle) + cx);
+    v[i][1] = sin(angle) - 3;
+  }
+  Shape *shape = shape_convex(n, (const double(*)[2])v, &out);
+  if (!shape)
+    gsl_test(1, "a polygon of %d vertices on an ellipse of aspect %g (%s)", n, a, out.text);
+  return shape;
+}
+
+static void test_shapes(void) {
+  Rng rng = rng_stream(12, 0, RNG_TEST);
+  Species kinds[] = {{"P", 2.5, 40, shape_regular(5)},      {"a=b", 0.1, 30, shape_superellipse(1.5, 1.5)},
+                     {"a", 1.0 / 3, 50, some_polygon(&rng, 7)}, {"disc", 1e-3, 11, NULL},
+                     {"rhombus", 7, 3, shape_superellipse(1.7, 0.5)}, {"needle", 1, 9, shape_superellipse(0.02, 50)}};
+  round_trip(2, kinds, 1, false, "pentagons");
+  round_trip(2, kinds + 1, 1, true, "superellipses with own radii");
+  round_trip(2, kinds, 6, false, "six species, five with shapes");
+  round_trip(2, kinds, 6, true, "six species with own radii");
+  for (int s = 0; s < 6; s++)
+    shape_free(&kinds[s].shape);
+  int wrong[2] = {0, 0};
+  for (int k = 0; k < as_many(60, 4000); k++) {
+    double aspect = pow(10, 6 * rng_uniform(&rng) - 3), m = k % 10 ? 0.6 + 10 * gsl_pow_3(rng_uniform(&rng)) : 1;
+    Species one = {"S", 1, 1, k % 2 ? some_polygon(&rng, 3 + (int)rng_below(&rng, 9)) : shape_superellipse(aspect, m)};
+    Pack *pack = make_shapes(&one, 1, false);
+    Outcome out = {0};
+    write_to(path, pack, "");
+    Pack *back = xyz_read(path, &out);
+    wrong[k % 2] += !back || !same_shapes(back, pack);
+    shape_free(&one.shape);
+    pack_free(&pack);
+    pack_free(&back);
+  }
+  gsl_test_int(wrong[0], 0, "random superellipses come back as they were");
+  gsl_test_int(wrong[1], 0, "and random polygons");
+}
+
 /* The text as a file, read. */
 static Pack *read_text(const char *text, Outcome *out) {
   FILE *file = fopen(path, "w");
@@ -102,6 +161,60 @@ static Pack *read_text(const char *text, Outcome *out) {
 
 #define HEAD "Lattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1"
 #define FINITE " pbc=\"F F F\""
+#define FLAT HEAD ":angle:R:1 pbc=\"T T F\""
+#define SHAPED FLAT " shape_A=\"polygon:5\""
+
+/* What OVITO is told, and what is read of it. */
+static void test_viewers(void) {
+  static const Box box = {2, {9, 11, 0}};
+  Species kinds[] = {{"S", 2.5, 1, shape_superellipse(1.5, 1.25)}, {"P", 1.5, 1, shape_regular(4)}, {"D", 1, 1, NULL}};
+  Pack *pack = pack_alloc(&box, kinds, 3, false);
+  pack->angle[0] = M_PI / 3;
+  pack->angle[1] = 1.5 * M_PI;
+  write_to(path, pack, "");
+  FILE *file = fopen(path, "r");
+  char line[6][600], wanted[200];
+  for (int l = 0; l < 5; l++)
+    gsl_test(!fgets(line[l], sizeof line[l], file), "line %d is there", l + 1);
+  fclose(file);
+  gsl_test(!strstr(line[1], "radius:R:1:angle:R:1:orientation:R:4:aspherical_shape:R:3:superquadric_roundness:R:2 pbc=\"T T F\" "
+                            "shape_S=\"superellipse:1.5:1.25\" shape_P=\"polygon:4\"\n"), "columns and shapes: %s", line[1]);
+  snprintf(wanted, sizeof wanted, " 0 0 0.5 0.866025404 %.9g %.9g 2.5 0.8 1\n", 2.5 * kinds[0].shape->a, 2.5 * kinds[0].shape->b);
+  gsl_test(!strstr(line[2], wanted), "a superellipse turned by a third of pi: %s", line[2]);
+  gsl_test(!strstr(line[3], " 0 0 0.707106781 -0.707106781 0 0 0 1 1\n"), "a square: %s", line[3]);
+  gsl_test(!strstr(line[4], " 1 0 0 0 0 1 0 0 0 1 1\n"), "a disc: %s", line[4]);
+  shape_free(&kinds[0].shape);
+  pack_free(&pack);
+  pack = pack_alloc(&box, kinds + 1, 1, false);
+  write_to(path, pack, "");
+  file = fopen(path, "r");
+  for (int l = 0; l < 2; l++)
+    gsl_test(!fgets(line[l], sizeof line[l], file), "line %d is there", l + 1);
+  fclose(file);
+  gsl_test(strstr(line[1], "aspherical") || !strstr(line[1], ":orientation:R:4 pbc"), "polygons have no axes: %s", line[1]);
+  shape_free(&kinds[1].shape);
+  pack_free(&pack);
+}
+
+static void test_reading_shapes(void) {
+  Outcome out;
+  Pack *pack = read_text("2\n" SHAPED "\nA 1 2 0 1 -0.5\nB 1 4 0 1 7\n", &out);
+  gsl_test(!pack || pack->angle[0] != 2 * M_PI - 0.5 || pack->angle[1] != 7 - 2 * M_PI, "angles are wrapped into [0, 2 pi) (%s)", out.text);
+  gsl_test(!pack || pack->species[1].shape || pack->species[0].shape->sides != 5, "a pentagon beside a disc");
+  pack_free(&pack);
+  pack = read_text("1\n" FLAT " shape_A=\"vertices:0,0,4,0,1,3\"\nA 1 2 0 1 0\n", &out);
+  gsl_test(!pack || fabs(pack->species[0].shape->x[1] / pack->species[0].shape->x[0] + 1.4) > 1e-14, "a triangle in any unit");
+  pack_free(&pack);
+  pack = read_text("1\n" FLAT " shape_A=b=\"polygon:6\" shape_A=\"polygon:7\" shape_AA=\"polygon:8\"\nA 1 2 0 1 0\n", &out);
+  gsl_test(!pack || pack->species[0].shape->sides != 7, "the name of a species ends with its quote");
+  pack_free(&pack);
+  pack = read_text("1\n" HEAD " pbc=\"T T F\" shape_C=\"round\"\nA 1 2 0 1\n", &out);
+  gsl_test(!pack || pack->angle, "the shape of nobody is nobody's");
+  pack_free(&pack);
+  pack = read_text("1\n" SHAPED "\nA 1 2 0 1 0\n", &out);
+  gsl_test(!pack || pack_bytes(2, 1, false, true) != 24 || pack->radius || pack->kind, "no array that is not needed");
+  pack_free(&pack);
+}
 
 static void test_reading(void) {
   Outcome out;
@@ -232,6 +345,25 @@ static void test_errors(void) {
       {"1\n" HEAD FINITE " dimension=4\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
       {"1\n" HEAD FINITE " dimension=two\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
       {"1\n" HEAD FINITE "\nA 1 2 1e308 1\n", ":3:", "too wide"},
+      {"1\n" SHAPED "\nA 1 2 0 1 inf\n", ":3:", "an angle is not finite"},
+      {"1\n" SHAPED "\nA 1 2 0 1 x\n", ":3:", "not a number"},
+      {"2\n" FLAT "\nA 1 2 0 1 0\nA 1 2 0 1 0\n", ":2:", "angles without a shape"},
+      {"2\n" HEAD " pbc=\"T T F\" shape_B=\"polygon:5\"\nA 1 2 0 1\nB 1 2 0 1\n", ":2:", "without angles"},
+      {"1\n" HEAD ":angle:R:1 shape_A=\"polygon:5\"\nA 1 2 0 1 0\n", ":2:", "three dimensions"},
+      {"1\n" FLAT " shape_A=\"polygon:2\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"polygon:5.5\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"polygon:5000\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"polygon:5:6\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"polygon:5 \"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"polygon:\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"pentagon:5\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"superellipse:1.5\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"superellipse:-1.5:1\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"superellipse:1.5:0.49\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"superellipse:1.5:nan\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"vertices:0,0,1,0\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"vertices:0,0,1,0,0\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"vertices:0,0,1,0,0,1,1,1\"\nA 1 2 0 1 0\n", ":2:", "not strictly convex"},
   };
   Outcome out;
   for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
@@ -249,7 +381,10 @@ int main(void) {
   int file = mkstemp(path);
   close(file);
   test_round_trips();
+  test_shapes();
+  test_viewers();
   test_reading();
+  test_reading_shapes();
   test_finite();
   test_errors();
   remove(path);
