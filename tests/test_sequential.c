@@ -30,7 +30,7 @@ static void test_apart(void) {
       double attempts = 0, size = c == 2 ? .6 : 1;
       size_t placed = 0;
       Outcome out = {0};
-      int status = sequential_fill(pack, size, large, 1e5 * (double)pack->n, &rng, &attempts, &placed, &out);
+      int status = sequential_fill(pack, size, large, 1e3 * (double)pack->n, &rng, &attempts, &placed, &out);
       gsl_test(status || placed != pack->n, "%g by %g: all placed: %s", sides[c][0], sides[c][1], out.text);
       for (int k = 0; k < 3; k++)
         pack->species[k].radius *= size;
@@ -39,7 +39,7 @@ static void test_apart(void) {
       Pack *twin = pack_copy(pack);
       for (int k = 0; k < 3; k++)
         twin->species[k].radius /= size;
-      sequential_fill(twin, size, large, 1e5 * (double)pack->n, &again, &attempts, &placed, &out);
+      sequential_fill(twin, size, large, 1e3 * (double)pack->n, &again, &attempts, &placed, &out);
       gsl_test(memcmp(pack->x, twin->x, 2 * pack->n * sizeof(double)) ||
                    memcmp(pack->angle, twin->angle, pack->n * sizeof(double)),
                "and again the same");
