@@ -26,6 +26,10 @@ static const struct {
     {"points", "dimension = 2; fraction = 0.4; species = ( { radius = 1.5; number = 90; shape = { kind = \"polygon\"; sides = 3; }; } ); make = { method = \"points\"; };"},
     {"gravity", "species = ( { radius = 1.0; number = 120; }, { radius = 2.5; number = 4; } ); make = { method = \"gravity\"; };"},
     {"gravity", "fraction = 0.3; dilute = {}; species = ( { radius = 1.0; number = 120; } ); make = { method = \"gravity\"; };"},
+    {"sequential", "dimension = 2; fraction = 0.35; species = ( { radius = 1.5; number = 60; shape = { kind = \"polygon\"; sides = 5; }; }, { radius = 1.0; number = 20; } ); make = { method = \"sequential\"; };"},
+    {"compression", "dimension = 2; fraction = 0.6; species = ( { radius = 1.5; number = 60; shape = { kind = \"polygon\"; sides = 5; }; }, { radius = 1.0; number = 20; } ); make = { method = \"compression\"; };"},
+    {"relax", "dimension = 2; fraction = 0.75; species = ( { radius = 1.5; number = 60; shape = { kind = \"polygon\"; sides = 5; }; }, { radius = 1.0; number = 20; } ); make = { method = \"relax\"; };"},
+    {"penetrable", "dimension = 2; fraction = 0.6; species = ( { radius = 1.5; number = 60; shape = { kind = \"polygon\"; sides = 5; }; }, { radius = 1.0; number = 20; } ); make = { method = \"penetrable\"; };"},
 };
 
 static Scene *scene_of(const char *text) {
