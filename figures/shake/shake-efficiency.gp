@@ -1,6 +1,6 @@
 # The relative error of the contact value after a second of one core: by rule against the fraction; of Metropolis' against the window.
 # data: efficiency efficiency-step data/bench-seconds.tsv
-key(s, k) = real(system(sprintf("sed -n 's/#.*//; s/.*\\b%s *= \\([0-9.]*\\);.*/\\1/p' figures/%s.scene", k, s)))
+key(s, k) = real(system(sprintf("sed -n 's/#.*//; s/.*\\b%s *= \\([0-9.]*\\);.*/\\1/p' figures/shake/%s.scene", k, s)))
 # The relative error of a mean over P realizations after so many operations between the samples, times the root of the seconds that
 # these have taken; P is the scene's, an operation's seconds are the record's.
 between(s) = (key(s, "samples") - 1)*key(s, "apart")

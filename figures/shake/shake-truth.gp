@@ -4,7 +4,7 @@ set terminal cairolatex pdf size 12.6cm,10.6cm font ",10"
 set output out
 curve(r, c) = data("shake-truth", sprintf("shaken.rdf@%s@%g.tsv", r, c))
 fluid(c) = equation("schultz", c, "g(2+)")
-window = real(system("sed -n 's/^shake .*radius = \\([0-9.]*\\);.*/\\1/p' figures/shake-truth.scene"))
+window = real(system("sed -n 's/^shake .*radius = \\([0-9.]*\\);.*/\\1/p' figures/shake/shake-truth.scene"))
 # g over that of dynamics, three bins together
 ratio(r, c) = columns("bin=3 ".curve(r, c)." ".curve("dynamics", c))
 unset key
