@@ -130,8 +130,10 @@ static void overlap_operations(Bench *bench) {
     shape_free(&shape);
   }
   free(bodies);
-  for (int k = 5; k <= 7; k++)
-    say(bench, missed(pow(10, -k), FEW(100)), 0.05, "overlap_missed_%d", k);
+  for (int k = 5; k <= 7; k++) {
+    double pairs = FEW(100), part = missed(pow(10, -k), (size_t)pairs);
+    say(bench, part, sqrt(part * (1 - part) / pairs), "overlap_missed_%d", k);
+  }
   end(bench, &table);
 }
 

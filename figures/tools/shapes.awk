@@ -1,5 +1,5 @@
 # figures/tools/shapes.awk, after colour.awk and pack.awk: shapes of a pack in their box, with their images over the sides; of a superellipse
-# a polygon of 96 sides. Options: dx, how far to the right it is drawn; first=0 if the window has been told; fill and rim, of the first
+# a polygon of 96 sides. Options: dx, how far to the right it is drawn; joined=1 if the window has been told; fill and rim, of the first
 # species and of others, "cfe0f4 0b3f70 f6d9b8 8a4b08"; half: the shapes are seen through, as of penetrable packs.
 BEGIN { pi = 3.14159265358979; if (colours == "") colours = "c4e5f7 0072b2 f6d9b8 8a4b08"; split(colours, ink, " ") }
 # The corners of a species' shape of radius 1 into cx[name, k], cy[name, k]; corners[name].
@@ -38,7 +38,7 @@ FNR == 3 {
     name = word; sub(/^shape_/, "", name); sub(/=.*/, "", name); sub(/^[^"]*"/, "", word); sub(/"$/, "", word); shaped(name, word)
   }
 }
-FNR == 3 { if (first != "0" && !begun++) print "window", 0, 0, X * (wide ? wide : 1), Y; print "clip", dx, 0, X + dx, Y }
+FNR == 3 { if (!joined && !begun++) print "window", 0, 0, X * (wide ? wide : 1), Y; print "clip", dx, 0, X + dx, Y }
 FNR > 2 {
   name = $place["species"]; far = 0; at = ""
   c = cos($place["angle"]); s = sin($place["angle"]); n = corners[name]
