@@ -38,9 +38,9 @@ same_radii() { run one points --set 'make={method="points";}' --set 'measure={rd
   cmp -s <(radii points/pack-0.xyz) <(radii points/pack-1.xyz) && cmp -s <(radii points/pack-0.xyz) <(radii rsa/pack-0.xyz); }
 tell 'every method and every pack has the same radii' same_radii
 law() { awk '$1 == "A" && $5 > m { m = $5 } END { print m }' "$tmp/points/pack-0.xyz" > "$tmp/most"
-  awk -F'\t' -v m="$(cat "$tmp/most")" '{ v[$1] = $2 } END { exit !((v["fraction"] - 0.55) ^ 2 < 1e-24 && (m / 2 - v["size_most.A"]) ^ 2 < 1e-10) }' \
+  awk -F'\t' -v m="$(cat "$tmp/most")" '{ v[$1] = $2 } END { exit !((v["reduced_density"] - 0.55) ^ 2 < 1e-24 && (m / 2 - v["size_most.A"]) ^ 2 < 1e-10) }' \
     "$tmp/points/summary.tsv"; }
-tell 'which are those of the law, and fill the fraction' law
+tell 'which are those of the law, and add up to the fraction' law
 counts() { sed 's/number = 700; //; s/mass = [0-9.]*; density = [0-9.]*;/number = 50;/' "$tmp/one.scene" > "$tmp/few.scene"
   run few few && [ "$(value number.A "$tmp/few")" = 50 ] && [ "$(value number.B "$tmp/few")" = 50 ]; }
 tell 'or the numbers are given' counts
