@@ -2,7 +2,7 @@
 #include "dynamics.h"
 #include "elementary.h"
 #include "overlap.h"
-#include "points.h"
+#include "scatter.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
 #include <string.h>
@@ -17,13 +17,7 @@ static Pack *random_pack(size_t n, int kinds, const int kind[], double Lx, doubl
   Box box = {2, {Lx, Ly, 0}};
   for (int s = 0; s < kinds; s++)
     species[s] = (Species){"A", 1 + 0.37 * s, n, shape_of(kind[s])};
-  Pack *pack = pack_alloc(&box, species, kinds, false);
-  Rng rng = rng_stream(seed, 0, RNG_POSITIONS), turns = rng_stream(seed, 0, RNG_ANGLES);
-  points_scatter(pack, &rng);
-  points_turn(pack, &turns);
-  for (int s = 0; s < kinds; s++)
-    shape_free(&species[s].shape);
-  return pack;
+  return scattered(&box, species, kinds, seed);
 }
 
 static const DynamicsModel frictionless = {0};

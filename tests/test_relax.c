@@ -1,8 +1,8 @@
 /* Relaxed packs: free by a second method, the asked fraction to the last bit, failures that say what was reached. */
 #include "many.h"
 #include "overlap.h"
-#include "points.h"
 #include "relax.h"
+#include "scatter.h"
 #include "touch.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
@@ -24,13 +24,7 @@ static Pack *random_pack(int kinds, const int kind[], const size_t count[], doub
     solid += (double)count[s] * M_PI * gsl_pow_2(species[s].radius);
   }
   Box box = box_make(2, ratio, solid > 0 ? solid / fraction : 1);
-  Pack *pack = pack_alloc(&box, species, kinds, false);
-  Rng rng = rng_stream(seed, 0, RNG_POSITIONS), turns = rng_stream(seed, 0, RNG_ANGLES);
-  points_scatter(pack, &rng);
-  points_turn(pack, &turns);
-  for (int s = 0; s < kinds; s++)
-    shape_free(&species[s].shape);
-  return pack;
+  return scattered(&box, species, kinds, seed);
 }
 
 /* The least gap over all images, by brute force. */
