@@ -58,4 +58,13 @@ counts() {
 tell 'spheres with fewer than two contacts: the ends of a chain and a single one' counts lonely 0.5 "$tmp/corner.xyz" "$tmp/finite.xyz" "$tmp/finite.xyz"
 tell 'moves beyond the first of two spheres that are met' counts beyond "$expected" "$tmp/corner.xyz" "$tmp/finite.xyz" "$tmp/finite.xyz"
 tell 'none if the second is out of the testing window' counts beyond 0 "$tmp/far.xyz" "$tmp/finite.xyz" "$tmp/finite.xyz"
+# How many seeds of a sweep were freed of overlap, and the means over these.
+rated() {
+  mkdir -p "$tmp/relax-dense" "$tmp/relax-literal"
+  printf 'seed\treached\trelax_steps\tQ6_local\n3\t1\t20\t0.5\n4\t0\tnan\tnan\n# not reached\n5\t1\t26\t0.75\n' > "$tmp/relax-dense/sweep.tsv"
+  printf 'make.friction\tseed\treached\trelax_steps\tQ6_local\n0\t1\t0\tnan\tnan\n0.5\t1\t1\t7\t0.25\n' > "$tmp/relax-literal/sweep.tsv"
+  diff <(printf '%s\n' freed@dense:2:0 packs@dense:3:0 steps@dense:23:3 order@dense:0.625:0.125 freed@0:0:0 packs@0:1:0 freed@0.5:1:0 packs@0.5:1:0 \
+    steps@0.5:7:nan order@0.5:0.25:nan) <(awk -f figures/shapes/relax-rate.awk "$tmp"/relax-{dense,literal}/sweep.tsv | tail -n +3 | tr '\t' ':')
+}
+tell 'seeds that were freed are counted, and averaged over' rated
 exit $failed
