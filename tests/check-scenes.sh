@@ -25,6 +25,20 @@ tell 'a scene that is not there' refused "$tmp/no.scene: cannot be read; give" "
 tell 'a directory as a scene' refused "$tmp/folder: cannot be read; give" "$randpack" run "$tmp/folder"
 tell 'a scene that is no text' refused "$tmp/binary.scene:1: " "$randpack" run "$tmp/binary.scene"
 
+# The scenes of the book, and how a draft and `make check` shorten them, are all right.
+reads() ( # a shell of its own: brackets in a setting are no pattern
+  status=0 scenes=(figures/*/*.scene examples/*.scene)
+  set -f
+  for scene in "${scenes[@]}"; do
+    small=$(sed -n 's/^# small: *//p' "$scene")
+    # shellcheck disable=SC2046,SC2086
+    "$randpack" plan "$scene" > "$tmp/plan" && "$randpack" plan "$scene" $(paper/few "$scene" 2) > "$tmp/plan" &&
+      "$randpack" plan "$scene" $small > "$tmp/plan" || { echo "$scene"; status=1; }
+  done
+  exit $status
+)
+tell 'the scenes of the book are read, as a draft and a test shorten them too' reads
+
 # Settings from the command line, between bars: the setting, the words of the answer.
 good=$tmp/good.scene
 cat > "$good" <<'END'
