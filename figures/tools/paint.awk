@@ -5,6 +5,8 @@
 #   line   COLOUR x0 y0 x1 y1 w
 #   box    COLOUR x0 y0 x1 y1
 #   path   COLOUR RIM w x y x y ...   a polygon, filled, with its rim
+#   outline NAME x y x y ...       a polygon about the origin, which rows `shape` repeat: written once, however many there are
+#   shape  NAME COLOUR RIM w x y r c s   it, filled, with its rim, r times as large, turned by the angle of cosine c and sine s
 #   clip   x0 y0 x1 y1             nothing outside this is drawn, until `clip` alone
 #   ball   NAME x y r              what a row `light` has described before
 #   light  NAME RIM TOP            a ball of colour RIM with a darker edge, lit from the upper left, where it is TOP
@@ -19,10 +21,11 @@ function at(x, y) { return n((x - x0) * scale) " " n((y - y0) * scale) }
 function part(c, i, f) { return number(f * (16 * (index(digits, substr(c, i, 1)) - 1) + index(digits, substr(c, i + 1, 1)) - 1) / 255, 3) }
 function darker(c, f) { return part(c, 1, f) " " part(c, 3, f) " " part(c, 5, f) }
 function rgb(c) { return darker(c, 1) }
-function put(s) { if (rows++ % 50 == 0) printf "%s\\pdfliteral{%s", (rows > 1 ? "}%\n" : ""), s; else printf "\n%s", s }
+function put(s) { printf "%s%s", (held++ ? "\n" : "\\pdfliteral{"), s; if (held == 50) rest() }
+function rest() { if (held) print "}%"; held = 0 }
 function pen(c, w) {
   if (c != ink) put(rgb(ink = c) " RG")
-  if ((w = n(w)) != nib) put((nib = w) " w")
+  if ((w = number(w, 4)) != nib) put((nib = w) " w")
 }
 function area(a, b, c, d) { return at(a, b) " " n((c - a) * scale) " " n((d - b) * scale) " re" }
 # The control points of the quarters of a circle.
@@ -45,6 +48,13 @@ $1 == "light" {
   print "{" darker($3, 0.8) " RG 2 w 1 J 0 0 m 0 0 l S /L sh}\\edef\\balls{\\balls/" $2 " \\the\\pdflastobj\\space 0 R}%"
   next
 }
+$1 == "outline" {
+  p = number($3, 4) " " number($4, 4) " m"
+  for (i = 5; i < NF; i += 2) p = p "\n" number($i, 4) " " number($(i + 1), 4) " l"
+  rest(); print "\\immediate\\pdfobj stream attr{/Type/XObject/Subtype/Form/BBox[-99 -99 99 99]}"
+  print "{1 j " p " b}\\xdef\\balls{\\balls/" $2 " \\the\\pdflastobj\\space 0 R}%"
+  next
+}
 $1 == "words" { said = said sprintf("\\put(%s,%s){\\makebox(0,0)%s{%s}}%%\n", n(($2 - x0) * scale), n(($3 - y0) * scale), ($5 == "left" ? "[l]" : ""), $4); next }
 !begun { begun = 1; printf "\\setbox0\\hbox to%sbp{", W; put("q 1 J") }
 $1 == "disc" { pen($2, 2 * $5 * scale); p = at($3, $4); put(p " m " p " l S"); things++ }
@@ -56,11 +66,15 @@ $1 == "path" {
   for (i = 7; i < NF; i += 2) p = p " " at($i, $(i + 1)) " l"
   put(rgb($2) " rg 1 j " p " b"); things++
 }
+$1 == "shape" {
+  r = $8 * scale; pen($4, $5 / r); c = n(r * $9); t = n(r * $10); m = n(-r * $10)
+  put(rgb($3) " rg q " c " " t " " m " " c " " at($6, $7) " cm/" $2 " Do Q"); things++
+}
 $1 == "clip" { put(NF > 1 ? "q " area($2, $3, $4, $5) " W n" : "Q"); ink = nib = "" }
 $1 == "ball" { r = n($5 * scale); put("q " r " 0 0 " r " " at($3, $4) " cm/" $2 " Do Q"); things++ }
 END {
   if (!things) { print "paint.awk: nothing is drawn" > "/dev/stderr"; exit 1 }
-  put("Q"); print "}\\hss}\\ht0=" H "bp\\dp0=0bp"
+  put("Q"); rest(); print "\\hss}\\ht0=" H "bp\\dp0=0bp"
   print "\\immediate\\pdfxform resources{/XObject<<\\balls>>}0"
   printf "\\leavevmode\\begin{picture}(%s,%s)\\put(0,0){\\pdfrefxform\\pdflastxform}%%\n%s\\end{picture}\\endgroup\n", W, H, said
 }

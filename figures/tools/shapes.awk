@@ -32,15 +32,21 @@ function scaled(name, n,   k, j, d, A, X0, Y0) {
   for (k = 0; k < n; k++) { cx[name, k] = (cx[name, k] - X0) * d; cy[name, k] = (cy[name, k] - Y0) * d }
 }
 FNR == 3 {
-  delete corners; rest = head
+  delete corners; rest = head; forms = 0
   while (match(rest, /shape_[^=]*="[^"]*"/)) {
     word = substr(rest, RSTART, RLENGTH); rest = substr(rest, RSTART + RLENGTH)
-    name = word; sub(/^shape_/, "", name); sub(/=.*/, "", name); sub(/^[^"]*"/, "", word); sub(/"$/, "", word); shaped(name, word)
+    name = word; sub(/^shape_/, "", name); sub(/=.*/, "", name); sub(/^[^"]*"/, "", word); sub(/"$/, "", word); shaped(name, word); names[++forms] = name
   }
+  if (!joined && !begun++) print "window", 0, 0, X * (wide ? wide : 1), Y
+  for (i = 1; i <= forms; i++) {
+    name = names[i]; form[name] = "S" dx + 0 "x" i; at = ""
+    for (k = 0; k < corners[name]; k++) at = at "\t" cx[name, k] "\t" cy[name, k]
+    print "outline", form[name] at
+  }
+  print "clip", dx, 0, X + dx, Y
 }
-FNR == 3 { if (!joined && !begun++) print "window", 0, 0, X * (wide ? wide : 1), Y; print "clip", dx, 0, X + dx, Y }
 FNR > 2 {
-  name = $place["species"]; far = 0; at = ""
+  name = $place["species"]; far = 0
   c = cos($place["angle"]); s = sin($place["angle"]); n = corners[name]
   for (k = 0; k < n; k++) { d = r * sqrt(cx[name, k] ^ 2 + cy[name, k] ^ 2); if (d > far) far = d }
   if (!n) far = r
@@ -48,9 +54,7 @@ FNR > 2 {
     u = x + i * X; v = y + j * Y
     if (u < -far || u > X + far || v < -far || v > Y + far) continue
     if (!n) { print "disc", ink[2 * kind], u + dx, v, r; print "disc", ink[2 * kind - 1], u + dx, v, r - 0.004 * X; continue }
-    at = ""
-    for (k = 0; k < n; k++) at = at "\t" (u + dx + r * (c * cx[name, k] - s * cy[name, k])) "\t" (v + r * (s * cx[name, k] + c * cy[name, k]))
-    print "path", ink[2 * kind - 1], ink[2 * kind], 0.4 at
+    print "shape", form[name], ink[2 * kind - 1], ink[2 * kind], 0.4, u + dx, v, r, c, s
   }
 }
 END { print "clip"; frame("777777", dx, 0, X + dx, Y, 0.8) }
