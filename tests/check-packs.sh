@@ -17,26 +17,27 @@ bad() {
     --scene "$tmp/s.scene" --out "$tmp/new"
 }
 two='A 1 2 3 1\nA 5 6 7 1\n'
-bad 'an empty file' 1 'the file ends here; each' ''
+bad 'an empty file' 1 'the file ends here; the first' ''
 bad 'a word for the number' 1 'no number of particles; the first line' "two\n$full\n$two"
 bad 'a negative number' 1 'no number of particles; the first line' "-2\n$full\n$two"
 bad 'half a particle' 1 'no number of particles; the first line' "2.5\n$full\n$two"
 bad 'a number alone' 2 'the file ends here; each' '2\n'
 bad 'a file cut short' 5 'the file ends here; each' "3\n$full\n$two"
 bad 'more particles than memory' 5 'the file ends here; each' "18446744073709551615\n$full\n$two"
-bad 'a line cut short' 4 'too few columns; see' "2\n$full\nA 1 2 3 1\nA 5 6\n"
-bad 'a second pack behind the first' 5 'more lines than particles; one' "2\n$full\n$two$two"
-bad 'no box' 2 'no box; give Lattice' "2\n$what $pbc\n$two"
-bad 'a box of eight numbers' 2 'no box; give Lattice' "2\nLattice=\"8 0 0 0 8 0 0 0\" $what $pbc\n$two"
-bad 'a tilted box' 2 'the box is not rectangular; sides' "2\nLattice=\"8 0 0 1 8 0 0 0 8\" $what\n$two"
-bad 'a flat box' 2 'the box is not rectangular; sides' "2\nLattice=\"8 0 0 0 0 0 0 0 8\" $what\n$two"
-bad 'an endless box' 2 'the box is not rectangular; sides' "2\nLattice=\"inf 0 0 0 8 0 0 0 8\" $what\n$two"
-bad 'a pack that is periodic in one direction' 2 'the pack is periodic in some directions only; give pbc' "2\n$box $what pbc=\"F T F\"\n$two"
-bad 'no columns told' 2 'no Properties; give' "2\n$box $pbc\n$two"
+bad 'a line cut short' 4 '3 words, and Properties tells 5 columns; each' "2\n$full\nA 1 2 3 1\nA 5 6\n"
+bad 'a second pack behind the first' 5 'more lines than particles, and no second pack; the first' "2\n$full\n$two$two"
+bad 'no box' 2 'no box, and the pack is periodic; give Lattice' "2\n$what $pbc\n$two"
+bad 'a box of eight numbers' 2 'Lattice is not nine numbers; give Lattice' "2\nLattice=\"8 0 0 0 8 0 0 0\" $what $pbc\n$two"
+bad 'a tilted box' 2 'the box is oblique, with 82.87 degrees between its first two vectors; only' "2\nLattice=\"8 0 0 1 8 0 0 0 8\" $what\n$two"
+bad 'a flat box' 2 'a side of the box is not above 0; give' "2\nLattice=\"8 0 0 0 0 0 0 0 8\" $what\n$two"
+bad 'an endless box' 2 'a side of the box is not above 0; give' "2\nLattice=\"inf 0 0 0 8 0 0 0 8\" $what\n$two"
+bad 'a pack that is periodic in one direction' 2 'the pack is periodic along y only; give pbc' "2\n$box $what pbc=\"F T F\"\n$two"
+bad 'no columns told' 2 'no radii; Properties' "2\n$box $pbc\n$two"
 bad 'no positions' 2 'no positions; Properties' "2\n$box Properties=species:S:1:radius:R:1\nA 1\nA 1\n"
 bad 'no radii' 2 'no radii; Properties' "2\n$box Properties=species:S:1:pos:R:3\nA 1 2 3\nA 5 6 7\n"
+bad 'discs in two planes' 4 'z is not constant, as it is of discs; a slab' "2\n$box $what pbc=\"T T F\"\n$two"
 bad 'a property of -1 columns' 2 'a property without columns; give' "2\n$box $what:x:R:-1\n$two"
-bad 'a word for a position' 4 'a word is not a number; see' "2\n$full\nA 1 2 3 1\nA 5 6,5 7 1\n"
+bad 'a word for a position' 4 '6,5 in column 3 is not a number; a decimal point, not a comma' "2\n$full\nA 1 2 3 1\nA 5 6,5 7 1\n"
 bad 'a position that is no number' 4 'a position is not finite; give' "2\n$full\nA 1 2 3 1\nA 5 nan 7 1\n"
 bad 'a radius of 0' 4 'a radius is not above 0; give' "2\n$full\nA 1 2 3 1\nA 5 6 7 0\n"
 bad 'a negative radius' 3 'a radius is not above 0; give' "2\n$full\nA 1 2 3 -1\nA 5 6 7 1\n"
@@ -46,7 +47,7 @@ refuse() {
 }
 printf '%b' "0\n$full\n" > "$tmp/p.xyz"
 refuse 'a pack of no particles' "$tmp/p.xyz: no particles; there must be one"
-printf '%b' "2\n$box $what pbc=\"T T F\"\n$two" > "$tmp/p.xyz"
+printf '%b' "2\n$box $what pbc=\"T T F\"\nA 1 2 3 1\nA 5 6 3 1\n" > "$tmp/p.xyz"
 refuse 'a pack of another dimension' "$tmp/p.xyz: has dimension 2; the scene says 3"
 printf '%b' "2\nLattice=\"8 0 0 0 7 0 0 0 9\" $what\n$two" > "$tmp/p.xyz"
 refuse 'a reach beyond half of its box' "measure.rdf.reach = 4 goes beyond half the box; the largest reach here is 3.5"
@@ -71,8 +72,9 @@ good 'Windows line ends' "3\r\n$full\r\nA 1.25 2 3 1\r\nA 5 6 7.5 1\r\nA 1 6.5 0
 good 'blank lines at the end' "3\n$full\n$three\n\n"
 good 'no line end at the end' "3 \n$full\nA 1.25 2 3 1\nA 5 6 7.5 1\nA 1 6.5 0 1"
 good 'further columns in another order' "3\n$box Properties=id:I:1:radius:R:1:v:R:2:pos:R:3:species:S:1 $pbc\n\
-1 1 x y 1.25 2 3 A\n2 1 0 0 5 6 7.5 A 9 9\n3 1.0 0 0 1e0 6.5 0 A\n"
+1 1 x y 1.25 2 3 A\n2 1 0 0 5 6 7.5 A\n3 1.0 0 0 1e0 6.5 0 A\n"
 good 'no species' "3\n$box Properties=pos:R:3:radius:R:1\n1.25 2 3 1\n5 6 7.5 1\n1 6.5 0 1\n"
 good 'tabs between words' "3\n$full\nA\t1.25\t2\t3\t1\nA\t5\t6\t7.5\t1\nA\t1\t6.5\t0\t1\n"
+good 'a box that an earlier comment names' "3\ncomment=\"was Lattice=3\" $full\n$three"
 good 'a note before the box' "3\nTime=3 MyLattice=\"1\" $full\n$three"
 exit $failed

@@ -76,7 +76,7 @@ static void round_trip(int dim, const Species species[], int kinds, bool own, co
   char again[sizeof path + 6];
   snprintf(again, sizeof again, "%s.again", path);
   write_to(path, pack, "seed=17 realization=3");
-  Pack *back = xyz_read(path, &out);
+  Pack *back = xyz_read(path, NULL, &out);
   gsl_test(!back, "%d-D, %s: is read back (%s)", dim, what, out.text);
   if (!back)
     return;
@@ -140,7 +140,7 @@ static void test_shapes(void) {
     Pack *pack = make_shapes(&one, 1, false);
     Outcome out = {0};
     write_to(path, pack, "");
-    Pack *back = xyz_read(path, &out);
+    Pack *back = xyz_read(path, NULL, &out);
     wrong[k % 2] += !back || !same_shapes(back, pack);
     shape_free(&one.shape);
     pack_free(&pack);
@@ -156,7 +156,7 @@ static Pack *read_text(const char *text, Outcome *out) {
   fputs(text, file);
   fclose(file);
   *out = (Outcome){0};
-  return xyz_read(path, out);
+  return xyz_read(path, NULL, out);
 }
 
 #define HEAD "Lattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1"
@@ -178,7 +178,7 @@ static void test_viewers(void) {
     gsl_test(!fgets(line[l], sizeof line[l], file), "line %d is there", l + 1);
   fclose(file);
   gsl_test(!strstr(line[1], "radius:R:1:angle:R:1:orientation:R:4:aspherical_shape:R:3:superquadric_roundness:R:2 pbc=\"T T F\" "
-                            "shape_S=\"superellipse:1.5:1.25\" shape_P=\"polygon:4\"\n"), "columns and shapes: %s", line[1]);
+                            "shape_S=\"superellipse:1.5:1.25\" shape_P=\"polygon:4\" randpack_species=\"S:2.5 P:1.5 D:1\"\n"), "columns and shapes: %s", line[1]);
   snprintf(wanted, sizeof wanted, " 0 0 0.5 0.866025404 %.9g %.9g 2.5 0.8 1\n", 2.5 * kinds[0].shape->a, 2.5 * kinds[0].shape->b);
   gsl_test(!strstr(line[2], wanted), "a superellipse turned by a third of pi: %s", line[2]);
   gsl_test(!strstr(line[3], " 0 0 0.707106781 -0.707106781 0 0 0 1 1\n"), "a square: %s", line[3]);
@@ -205,7 +205,7 @@ static void test_reading_shapes(void) {
   pack = read_text("1\n" FLAT " shape_A=\"vertices:0,0,4,0,1,3\"\nA 1 2 0 1 0\n", &out);
   gsl_test(!pack || fabs(pack->species[0].shape->x[1] / pack->species[0].shape->x[0] + 1.4) > 1e-14, "a triangle in any unit");
   pack_free(&pack);
-  pack = read_text("1\n" FLAT " shape_A=b=\"polygon:6\" shape_A=\"polygon:7\" shape_AA=\"polygon:8\"\nA 1 2 0 1 0\n", &out);
+  pack = read_text("1\n" FLAT " \"shape_A=b\"=\"polygon:6\" shape_A=\"polygon:7\" shape_AA=\"polygon:8\"\nA 1 2 0 1 0\n", &out);
   gsl_test(!pack || pack->species[0].shape->sides != 7, "the name of a species ends with its quote");
   pack_free(&pack);
   pack = read_text("1\n" HEAD " pbc=\"T T F\" shape_C=\"round\"\nA 1 2 0 1\n", &out);
@@ -222,9 +222,9 @@ static void test_reading(void) {
   gsl_test(!pack || pack->n != 0 || pack->kinds != 1 || pack->kind || pack->radius, "an empty pack has one species");
   pack_free(&pack);
   pack = read_text("3\n" HEAD "\nB 1 2 3 1\nA 1 2 4 1\nB 1 2 5 1\n", &out);
-  gsl_test(!pack || pack->kinds != 2 || strcmp(pack->species[0].name, "B") != 0 || pack->species[0].count != 2 ||
-               pack->kind[1] != 1 || pack->radius,
-           "species are numbered as they first appear");
+  gsl_test(!pack || pack->kinds != 2 || strcmp(pack->species[1].name, "B") != 0 || pack->species[1].count != 2 ||
+               pack->kind[1] != 0 || pack->radius,
+           "species are in the order of their names");
   pack_free(&pack);
   pack = read_text("3\n" HEAD "\nA 1 2 3 1\nA 1 2 4 1\nA 1 2 5 1.5\n", &out);
   gsl_test(!pack || !pack->radius || pack->radius[2] != 1.5 || pack->kind, "unequal radii are kept one by one");
@@ -247,7 +247,7 @@ static void finite_trip(int dim, size_t n, bool own) {
   pack->open = M_PI;
   write_to(path, pack, "seed=17");
   Outcome out = {0};
-  Pack *back = xyz_read(path, &out);
+  Pack *back = xyz_read(path, NULL, &out);
   gsl_test(!back, "%d-D, finite: is read back (%s)", dim, out.text);
   if (!back)
     return;
@@ -267,7 +267,8 @@ static void sample(int dim, const char *open, double told, const double origin[]
   Outcome out;
   snprintf(text, sizeof text,
            "3\nLattice=\"8 0 0 0 4 0 0 0 6\" Properties=species:S:1:pos:R:3:radius:R:1" FINITE "%s%s\n"
-           "A -2.5 0.25 2 1\nA 7.75 3.5 0.5 1\nB 4 0.125 5.875 2\n", open, dim == 2 ? " dimension=2" : "");
+           "A -2.5 0.25 %s 1\nA 7.75 3.5 %s 1\nB 4 0.125 %s 2\n", open, dim == 2 ? " dimension=2" : "",
+           dim == 2 ? "0" : "2", dim == 2 ? "0" : "0.5", dim == 2 ? "0" : "5.875");
   Pack *pack = read_text(text, &out);
   gsl_test(!pack || pack->box.dim != dim, "%d-D, a sample is read: %s", dim, out.text);
   if (!pack)
@@ -283,7 +284,7 @@ static void sample(int dim, const char *open, double told, const double origin[]
   for (int k = 0; k < dim; k++)
     gsl_test(!(pack->box.side[k] >= 4 * far), "%d-D, a sample: a wide box", dim);
   write_to(path, pack, "");
-  Pack *back = xyz_read(path, &out);
+  Pack *back = xyz_read(path, NULL, &out);
   gsl_test(!back || back->open != told || !same_box(&back->box, &pack->box) ||
                !same_array(pack->x, back->x, 3 * (size_t)dim * sizeof(double)),
            "%d-D, a sample: once placed it stays", dim);
@@ -331,8 +332,29 @@ static void test_errors(void) {
       {"1\n" HEAD "\nA 1 2 inf 1\n", ":3:", "not finite"},
       {"1\n" HEAD "\nA 1 2 3 0\n", ":3:", "not above 0"},
       {"1\n" HEAD "\nA 1 2 3 1\nA 1 2 3 1\n", ":4:", "more lines"},
-      {"1\n" HEAD " pbc=\"T F F\"\nA 1 2 3 1\n", ":2:", "some directions"},
-      {"1\n" HEAD " pbc=\"F F T\"\nA 1 2 3 1\n", ":2:", "some directions"},
+      {"1\n" HEAD "\nA 1 2 3 1\n\n1\n" HEAD "\nA 1 2 3 1\n", ":7:", "second pack"},
+      {"1\n" HEAD "\nA 1 2 3 1 4\n", ":3:", "6 words"},
+      {"1\n" HEAD "\nA 1 2 3\n", ":3:", "4 words"},
+      {"1\n" HEAD "\nA 1 2,5 3 1\n", ":3:", "a decimal point"},
+      {"1\n" HEAD " pbc=\"T T\"\nA 1 2 3 1\n", ":2:", "three truths"},
+      {"1\n" HEAD " pbc=\"T T maybe\"\nA 1 2 3 1\n", ":2:", "three truths"},
+      {"1\n" HEAD " PBC=\"T F T\"\nA 1 2 3 1\n", ":2:", "along x and z only"},
+      {"1\n" HEAD " pbc=\"T T T\" pbc=\"F F F\"\nA 1 2 3 1\n", ":2:", "two values of pbc"},
+      {"2\n" HEAD " pbc=\"T T F\"\nA 1 2 3 1\nA 1 2 4 1\n", ":4:", "z is not constant"},
+      {"1\nLattice=\"8 0 0 0 8 0 4 0 8\" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\n", ":2:", "63.43 degrees between its first and third"},
+      {"1\nLattice=\"8 0 0 4 6.928 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\n", ":2:", "60 degrees between its first two"},
+      {"1\nLattice=\"8 -8 0 8 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\n", ":2:", "turned"},
+      {"1\nLattice=\"8 0 0 0 -8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\n", ":2:", "not above 0"},
+      {"1\nLattice=\"8 0 0 0 8 0 0 0\" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\n", ":2:", "nine numbers"},
+      {"1\nLattice=\"8 0 0 0 8 0 0 0 8 Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\n", ":2:", "a quote that does not end"},
+      {"1\nProperties=species:S:1:pos:R:3:radius:R:1 pbc=\"T T T\"\nA 1 2 3 1\n", ":2:", "no box"},
+      {"1\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3\nA 1 2 3\n", ":2:", "no radii"},
+      {"1\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:radius:R:1\nA 1\n", ":2:", "no positions"},
+      {"1\n" HEAD ":Radius:R:1\nA 1 2 3 1 1\n", ":2:", "two columns"},
+      {"1\n" HEAD " randpack_species=\"A\"\nA 1 2 3 1\n", ":2:", "randpack_species does not"},
+      {"1\n" HEAD " randpack_species=\"A:0\"\nA 1 2 3 1\n", ":2:", "randpack_species does not"},
+      {"1\n" HEAD " pbc=\"T F F\"\nA 1 2 3 1\n", ":2:", "only; give"},
+      {"1\n" HEAD " pbc=\"F F T\"\nA 1 2 3 1\n", ":2:", "only; give"},
       {"1\n" HEAD FINITE " open=0\nA 1 2 3 1\n", ":2:", "open is not"},
       {"1\n" HEAD FINITE " open=-1\nA 1 2 3 1\n", ":2:", "open is not"},
       {"1\n" HEAD FINITE " open=nan\nA 1 2 3 1\n", ":2:", "open is not"},
@@ -375,7 +397,110 @@ static void test_errors(void) {
     pack_free(&pack);
   }
   out = (Outcome){0};
-  gsl_test(xyz_read("/nonexistent/pack.xyz", &out) || out.status != WRONG, "a file that is not there");
+  gsl_test(xyz_read("/nonexistent/pack.xyz", NULL, &out) || out.status != WRONG, "a file that is not there");
+}
+
+/* One particle at (1, 2, 3) of radius 0.5 and name N, in a box of 8, in the ways that people and programs write it. */
+static void test_dialects(void) {
+  static const char *const same[] = {
+      "1\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1 pbc=\"T T T\"\nN 1 2 3 .5\n",
+      "\xef\xbb\xbf" "1\r\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1\r\nN 1 2 3 .5\r\n",
+      " 1 \nLATTICE = '8\t0 0 0 8 0 0 0 8'\tproperties = Species:S:1:POS:R:3:Radius:R:1\nN\t1\t2\t3\t0.5",
+      "1\nLattice=[[8,0,0],[0,8,0],[0,0,8]] Properties=species:S:1:pos:R:3:diameter:R:1 pbc=[T, true, True]\nN 1 2 3 1\n\n\n",
+      "1\nLattice=\"[[8.0D+00, 0, 0], [0, 8, 0], [0, 0, 8]]\" Properties=radius:R:1:type:S:1:positions:R:3 PBC=\"1 TRUE t\"\n5.d-1 N 1D0 2d0 .3E1\n",
+      "1\nLattice={8 0 0 0 8 0 0 0 8} Properties=element:S:1:id:I:1:pos:R:3:radius:R:1:type:I:1\nM 7 1 2 3 0.5 N\n",
+      "1\ncomment=\"was Lattice=\\\"3 0 0 0 3 0 0 0 3\\\" pbc=F\" Lattice=\"8 1e-12 0 0 8 0 -1e-12 0 8\" Properties=species:S:1:pos:R:3:radius:R:1 Origin=\"1 1 1\" flag\nN 9 -6 3 0.5\n"};
+  Outcome out;
+  for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
+    Pack *pack = read_text(same[k], &out);
+    gsl_test(!pack || pack->n != 1 || pack->open > 0 || pack->box.dim != 3 || pack->box.side[0] != 8 || pack->box.side[2] != 8 ||
+                 pack->x[0] != 1 || pack->x[1] != 2 || pack->x[2] != 3 || pack_radius(pack, 0) != 0.5 ||
+                 strcmp(pack->species->name, "N") != 0,
+             "dialect %zu: %s", k, out.text);
+    pack_free(&pack);
+  }
+  Pack *pack = read_text("1\nProperties=species:S:1:pos:R:3:radius:R:1\nN 1 2 3 0.5\n", &out);
+  gsl_test(!pack || pack->open != 0.5 || pack->box.dim != 3, "without a box: a finite pack, as large as its particle (%s)", out.text);
+  pack_free(&pack);
+  pack = read_text("2\nLattice=\"8 0 0 0 8 0 0 0 0\" Properties=type:I:1:radius:R:1:pos:R:2\n10 .5 1 2\n9 .5 3 4\n", &out);
+  gsl_test(!pack || pack->box.dim != 2 || strcmp(pack->species[0].name, "9") != 0 || pack->x[2] != 3, "two columns are discs; numbers as names have values (%s)", out.text);
+  pack_free(&pack);
+}
+
+/* What the caller knows: discs in a deep box, radii by name. */
+static void test_known(void) {
+  static const char *const bare = "2\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3\nB 1 2 3 \nA 1 4 3\n";
+  Outcome out;
+  Species species[] = {{.name = "A", .radius = 0.5}, {.name = "B", .radius = 0.25}};
+  XyzKnown known = {2, species, 2};
+  pack_free(&(Pack *){read_text(bare, &out)});
+  out = (Outcome){0};
+  Pack *pack = xyz_read(path, &known, &out);
+  gsl_test(!pack || pack->box.dim != 2 || pack->species[0].radius != 0.5 || pack->species[1].radius != 0.25 || pack->radius,
+           "discs with known radii (%s)", out.text);
+  pack_free(&pack);
+  known.kinds = 1;
+  pack = xyz_read(path, &known, &out);
+  gsl_test(!pack || pack->species[1].radius != 0.5, "a species that has the name of none is of all (%s)", out.text);
+  pack_free(&pack);
+  known = (XyzKnown){3, species + 1, 1};
+  pack = xyz_read(path, &known, &out);
+  gsl_test(pack || !strstr(out.text, ":4: no radius of A"), "a radius that nobody knows (%s)", out.text);
+  pack_free(&pack);
+  pack_free(&(Pack *){read_text("2\nplain XYZ has a comment, say a = \"b\nB 1 2 3 .1 .2\nA 1 4 3\n", &out)});
+  gsl_test(!strstr(out.text, "quote"), "a comment with half a quote and an equals sign may be anything (%s)", out.text);
+  pack_free(&(Pack *){read_text("2\nplain XYZ has a comment\nB 1 2 3 .1 .2\nA 1 4 3\n", &out)});
+  gsl_test(!strstr(out.text, "no radii"), "plain XYZ has no radii (%s)", out.text);
+  out = (Outcome){0};
+  known = (XyzKnown){3, species, 2};
+  pack = xyz_read(path, &known, &out);
+  gsl_test(!pack || !(pack->open > 0) || pack->n != 2, "plain XYZ with known radii is a finite pack (%s)", out.text);
+  pack_free(&pack);
+}
+
+/* Whatever the order of lines: the species, their nominal radii, and what is told of them when the pack is written. */
+static void test_order(void) {
+  static const char *const line[] = {"B 1 2 3 0.3\n", "A 4 5 6 1\n", "B 7 1 2 0.1\n", "B 3 3 3 0.7\n", "A 2 6 6 1\n"};
+  double mean = (0.1 + 0.3 + 0.7) / 3;
+  Outcome out;
+  for (int turn = 0; turn < 5; turn++) {
+    char text[400] = "5\n" HEAD "\n";
+    for (int k = 0; k < 5; k++)
+      strcat(text, line[(k * (turn % 4 + 1) + turn) % 5]);
+    Pack *pack = read_text(text, &out);
+    gsl_test(!pack || strcmp(pack->species[0].name, "A") != 0 || pack->species[0].count != 2 || pack->species[0].radius != 1 ||
+                 pack->species[1].count != 3 || pack->species[1].radius != mean,
+             "lines in order %d: the same species (%s)", turn, out.text);
+    for (size_t i = 0; pack && i < 5; i++)
+      gsl_test((pack->radius[i] == 1) != (pack_kind(pack, i) == 0), "and each particle is of its own");
+    pack_free(&pack);
+  }
+  Pack *pack = read_text("2\n" HEAD " randpack_species=\"small:0.1 none:7 a:b:2\"\na:b 1 2 3 1\nsmall 1 2 6 .1\n", &out);
+  gsl_test(!pack || pack->kinds != 3 || strcmp(pack->species[2].name, "a:b") != 0 || pack->species[1].count || pack->species[2].radius != 2 ||
+               pack->radius[0] != 1, "species that are told keep their order and radius (%s)", out.text);
+  if (pack) {
+    write_to(path, pack, "");
+    Pack *back = xyz_read(path, NULL, &out);
+    gsl_test(!back || !same_species(pack, back), "and when they are written again");
+    pack_free(&back);
+  }
+  pack_free(&pack);
+}
+
+static void test_frames(void) {
+  static const char text[] = "1\n" HEAD "\nA 1 2 3 1\n2\n" HEAD FINITE " open=3\nB 1 2 3 2\nB 1 2 4 2\n\n1\n" HEAD "\nC 1 2 3 1\n \n";
+  Outcome out;
+  pack_free(&(Pack *){read_text(text, &out)});
+  gsl_test(!strstr(out.text, "a second pack"), "one pack is wanted, and there are more (%s)", out.text);
+  out = (Outcome){0};
+  XyzFile *file = xyz_open(path, NULL, &out);
+  int packs = 0;
+  for (Pack *pack; (pack = xyz_next(file, &out)); packs++) {
+    gsl_test(pack->n != (packs == 1 ? 2 : 1) || *pack->species->name != 'A' + packs || (pack->open > 0) != (packs == 1), "pack %d of three", packs);
+    pack_free(&pack);
+  }
+  gsl_test(packs != 3 || out.status != DONE, "three packs in a file (%d, %s)", packs, out.text);
+  xyz_close(file);
 }
 
 int main(void) {
@@ -385,6 +510,10 @@ int main(void) {
   test_shapes();
   test_viewers();
   test_reading();
+  test_dialects();
+  test_known();
+  test_order();
+  test_frames();
   test_reading_shapes();
   test_finite();
   test_errors();

@@ -1,0 +1,102 @@
+#!/bin/bash
+# tests/check-foreign.sh: packs of several files and species. The numbers of tests/foreign are known by brute force; species are
+# matched by name; no order of lines and no way of writing changes a table; what we wrote is measured again as it was.
+. tests/tell.sh
+from=tests/foreign
+cat > "$tmp/o.scene" <<'END'
+dimension = 3;
+measure = { rdf = { step = 0.5; reach = 3.0; }; nearest = {}; partials = { reach = [3.0]; step = 0.25; }; };
+END
+cat > "$tmp/p.scene" <<'END'
+dimension = 3;
+measure = { rdf = { step = 0.5; reach = 4.0; }; nearest = {}; K = { step = 1.0; reach = 4.0; }; coordination = { tolerance = 0.05; }; };
+END
+cat > "$tmp/m.scene" <<'END'
+dimension = 3;
+measure = { rdf = { step = 0.5; reach = 4.5; }; nearest = {}; };
+END
+measure() { # measure OUT SCENE PACK... : the tables without what tells the fingerprint
+  local out=$tmp/$1 scene=$tmp/$2.scene
+  shift 2
+  rm -rf "$out"
+  ends 0 "$randpack" measure "$@" --scene "$scene" --out "$out" && sed -i '/^# \(randpack\|scene\)/d' "$out"/*
+}
+near() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a - b < 1e-5 * b && b - a < 1e-5 * b) }' || { echo "$1, not $2"; return 1; }; }
+turned() { { head -2 "$1"; tail -n +3 "$1" | tac; } > "$2"; }
+shuffled() { { head -2 "$1"; tail -n +3 "$1" | sort -k4; } > "$2"; }
+
+# One pack, known by brute force.
+spheres() {
+  measure m m $from/spheres.xyz && near "$(value fraction "$tmp/m")" 0.251327 && near "$(value min_gap "$tmp/m")" 0.00882212 &&
+    near "$(value nearest "$tmp/m")" 2.158182 && near "$(awk '$1 == 2.25 { print $2 }' "$tmp/m/rdf.tsv")" 1.46817
+}
+tell 'sixty spheres, known by brute force' spheres
+
+# The order of lines.
+sizes() {
+  measure p p $from/sizes.xyz && turned $from/sizes.xyz "$tmp/t.xyz" && measure t p "$tmp/t.xyz" && diff -r "$tmp/p" "$tmp/t" &&
+    shuffled $from/sizes.xyz "$tmp/t.xyz" && measure t p "$tmp/t.xyz" && diff -r "$tmp/p" "$tmp/t"
+}
+tell 'two hundred sizes, whatever the order of their lines' sizes
+tell 'the unit is told, by name and value' grep -q '^# unit of length a = 0.967512484, the radius of grain$' "$tmp/p/summary.tsv"
+species() {
+  turned $from/large-small-2.xyz "$tmp/t.xyz" &&
+    measure a o $from/large-small.xyz $from/large-small-2.xyz && measure b o $from/large-small.xyz "$tmp/t.xyz" && diff -r "$tmp/a" "$tmp/b" &&
+    near "$(value nearest "$tmp/a")" 1.19796 && near "$(value min_gap "$tmp/a")" 0.00061469
+}
+tell 'two packs of two species, the lines of the second in another order' species
+bins() {
+  near "$(awk '/^[0-9]/ { printf "%.4f", $3; exit }' "$tmp/a/partial.L-L.tsv")" 1.0734 &&
+    near "$(awk '/^[0-9]/ { printf "%.4f", $3; exit }' "$tmp/a/partial.S-S.tsv")" 1.5897
+}
+tell 'and the first bins of their partials' bins
+two() {
+  turned $from/two.xyz "$tmp/t.xyz" && measure a o $from/two.xyz $from/two.xyz && measure b o $from/two.xyz "$tmp/t.xyz" &&
+    diff -r "$tmp/a" "$tmp/b" && near "$(value volume.L "$tmp/a")" 0.888889
+}
+tell 'a pack twice, the second time with its two lines exchanged' two
+tell 'a pack of other species' refused "$from/other.xyz: has other species than $from/two.xyz, no L; measure them apart" \
+  "$randpack" measure $from/two.xyz $from/other.xyz --scene "$tmp/o.scene" --out "$tmp/new"
+tell 'and the other way round' refused "$from/two.xyz: has other species than $from/other.xyz, also L; measure" \
+  "$randpack" measure $from/other.xyz $from/two.xyz --scene "$tmp/o.scene" --out "$tmp/new"
+tell 'nothing was written' test ! -e "$tmp/new"
+
+# Several packs in a file are as many files.
+frames() {
+  cat $from/large-small.xyz $from/large-small-2.xyz > "$tmp/both.xyz"
+  measure a o $from/large-small.xyz $from/large-small-2.xyz && measure b o "$tmp/both.xyz" && diff -r "$tmp/a" "$tmp/b" &&
+    [ "$(value realizations "$tmp/b")" = 2 ]
+}
+tell 'two packs in one file' frames
+
+# Radii that the file does not tell; a unit that the scene says.
+bare() {
+  sed '2s/:radius:R:1//; 3,$s/ [^ ]*$//' $from/spheres.xyz > "$tmp/bare.xyz"
+  printf 'species = ( { name = "A"; radius = 1.0; } );\n' | cat "$tmp/m.scene" - > "$tmp/r.scene"
+  measure b r "$tmp/bare.xyz" && diff -r "$tmp/m" "$tmp/b"
+}
+tell 'the scene tells the radius' bare
+tell 'or else there is none' refused "no radii; Properties must hold radius:R:1 or diameter:R:1, or the scene a radius" \
+  "$randpack" measure "$tmp/bare.xyz" --scene "$tmp/m.scene" --out "$tmp/new"
+unit() {
+  sed 's/step = 0.5; reach = 4.5/step = 0.25; reach = 2.25/; $s/$/ unit = 2.0;/' "$tmp/m.scene" > "$tmp/u.scene"
+  measure u u $from/spheres.xyz && near "$(value nearest "$tmp/u")" 1.079091 &&
+    diff <(awk '/^[0-9]/ { print $2 }' "$tmp/m/rdf.tsv") <(awk '/^[0-9]/ { print $2 }' "$tmp/u/rdf.tsv") &&
+    grep -q '^# unit of length a = 2, as the scene says$' "$tmp/u/rdf.tsv"
+}
+tell 'the scene says the unit' unit
+tell 'which is of packs from files' refused 'unit is of packs from files; leave it out' "$randpack" run examples/first.scene --set unit=2 --out "$tmp/new"
+
+# What we wrote is measured as it was.
+cat > "$tmp/s.scene" <<'END'
+dimension = 3; number = 300; fraction = 0.13; save = true;
+species = ( { name = "grain"; radius = 1.0; share = 0.8; sizes = { law = "lognormal"; spread = 0.4; }; }, { name = "Fine"; radius = 0.5; share = 0.2; } );
+make = { method = "rsa"; order = "large first"; };
+measure = { rdf = { step = 0.5; reach = 4.0; }; nearest = {}; partials = { reach = [3.0]; }; };
+END
+again() {
+  rm -rf "$tmp/s" && ends 0 "$randpack" run "$tmp/s.scene" --out "$tmp/s" && cp "$tmp/s/pack-0.xyz" "$tmp/w.xyz" && rm "$tmp/s/pack-0.xyz" &&
+    sed -i '/^# \(randpack\|scene\)/d; /^\(attempts\|trials\)\t/d' "$tmp/s"/* && measure w s "$tmp/w.xyz" && diff -r "$tmp/s" "$tmp/w"
+}
+tell 'a pack of many sizes that we wrote is measured to the same tables' again
+exit $failed
