@@ -41,13 +41,14 @@ static void test_by_hand(void) {
 static void test_plain(void) {
   enum { N = 12, M = 2, SIDE = 2 * M + 1 };
   Rng rng = rng_stream(91, 0, RNG_TEST);
-  int differ = 0, wrapped = 0;
+  int differ = 0, wrapped = 0, labels_differ = 0, images_differ = 0;
   for (int k = 0; k < as_many(150, 1000); k++) {
     double x[N][2], R = 0.25 + 0.6 * rng_uniform(&rng);
     for (int i = 0; i < 2 * N; i++)
       x[i / 2][i % 2] = 3 * rng_uniform(&rng);
     Pack *pack = discs(N, (const double(*)[2])x, R, 3, 3);
     Percolation p = percolation_find(pack, 1);
+    PercolationLabels *labels = percolation_labels(pack, 1);
     bool along[2] = {false};
     size_t largest = 0;
     for (int start = 0; start < N; start++) {
@@ -73,12 +74,21 @@ static void test_plain(void) {
         }
       }
       largest = GSL_MAX(largest, size);
+      labels_differ += labels->size[labels->of[start]] != size;
+      for (int c = 0; c < SIDE * SIDE * N; c++) {
+        int e = c / N / SIDE, f = c / N % SIDE, j = c % N, n[3] = {e - M, f - M, 0};
+        bool near = abs(n[0]) < M && abs(n[1]) < M;
+        images_differ += near && seen[e][f][j] != percolation_joined(labels, (size_t)start, (size_t)j, n);
+      }
     }
+    percolation_labels_free(&labels);
     wrapped += along[0] + along[1];
     differ += along[0] != p.along[0] || along[1] != p.along[1] || largest != p.largest;
     pack_free(&pack);
   }
   gsl_test_int(differ, 0, "as by spreading through images");
+  gsl_test_int(labels_differ, 0, "labels have the size of their cluster");
+  gsl_test_int(images_differ, 0, "images are joined as by spreading");
   gsl_test(wrapped < 50 || wrapped > as_many(250, 1900), "%d axes", wrapped);
 }
 
@@ -113,6 +123,35 @@ static void test_thresholds(void) {
   shape_free(&four);
 }
 
+/* Closed ways that are sums of others, and one that goes twice round before it closes. */
+static void test_ways(void) {
+  static const double stair[][2] = {{0.5, 0.5}, {1.5, 1.5}, {2.5, 2.5}, {3.5, 3.5}};
+  static const double row[][2] = {{0.5, 1}, {1.5, 1.5}, {2.5, 2}, {3.5, 2.5}, {0.5, 3}, {1.5, 3.5}, {2.5, 4}, {3.5, 4.5}};
+  static const double screw[][2] = {{0.5, 1}, {1.5, 1.5}, {2.5, 2}, {3.5, 2.5}, {0.5, 3}, {1.5, 3.5}, {2.5, 0}, {3.5, 0.5}};
+  static const int n[][4] = {{1, 1, 0, 1}, {1, 0, 0, 0}, {-2, -2, 0, 1}, {0, 0, 0, 1}, {2, 1, 0, 0}};
+  static const int m[][4] = {{1, 0, 0, 0}, {2, 0, 0, 0}, {0, 0, 0, 1}};
+  Pack *pack = discs(4, stair, 0.8, 4, 4);
+  PercolationLabels *labels = percolation_labels(pack, 1);
+  for (int k = 0; k < 5; k++)
+    gsl_test_int(percolation_joined(labels, 0, 0, n[k]), n[k][3], "a stair and its image %d %d", n[k][0], n[k][1]);
+  percolation_labels_free(&labels);
+  pack_free(&pack);
+  pack = discs(8, row, 0.56, 4, 9);
+  labels = percolation_labels(pack, 1);
+  gsl_test_int((int)labels->clusters, 1, "a row that rises");
+  for (int k = 0; k < 3; k++)
+    gsl_test_int(percolation_joined(labels, 0, 0, m[k]), m[k][3], "a row that rises and its image %d", m[k][0]);
+  percolation_labels_free(&labels);
+  pack_free(&pack);
+  pack = discs(8, screw, 0.56, 4, 4); /* closed after two turns along x and one along y */
+  labels = percolation_labels(pack, 1);
+  static const int t[][4] = {{2, 1, 0, 1}, {1, 0, 0, 0}, {4, 2, 0, 1}, {2, 0, 0, 0}, {-2, -1, 0, 1}};
+  for (int k = 0; k < 5; k++)
+    gsl_test_int(percolation_joined(labels, 0, 0, t[k]), t[k][3], "a screw and its image %d %d", t[k][0], t[k][1]);
+  percolation_labels_free(&labels);
+  pack_free(&pack);
+}
+
 static void test_spheres(void) {
   Species species = {.name = "P", .radius = 0.6, .count = 5};
   Box box = {3, {5, 6, 7}};
@@ -127,6 +166,7 @@ static void test_spheres(void) {
 int main(void) {
   test_by_hand();
   test_plain();
+  test_ways();
   test_thresholds();
   test_spheres();
   return gsl_test_summary();
