@@ -18,6 +18,6 @@ plot for [k = 1:8] curve("hard", k) using "R":"S2":"S2_err" with yerrorlines lt 
 unset label 9; unset label 2
 set lmargin screen 0.57; set rmargin screen 0.96; set format y ""
 set label 1 "may overlap; lines: the law" at 5.9,0.78 right
-plot for [k = 1:8] data("two-penetrable", sprintf("law@0.%d.tsv", k)) using "R":"S2_phi" with lines lt 8 dt 1 lw 0.8, \
+plot for [k = 1:8] data("two-penetrable", sprintf("boolean@0.%d.tsv", k)) using "R":"S2_phi" with lines lt 8 dt 1 lw 0.8, \
   for [k = 1:8] curve("penetrable", k) using "R":"S2":"S2_err" every 2 with yerrorbars lt 2 pt 5 ps 0.2 lw 0.8
 unset multiplot

@@ -1,4 +1,4 @@
-# from: two-hard/S2@*.tsv two-penetrable/{S2,law}@*.tsv two-aspect/S2@*.tsv two-exponent/S2@*.tsv two-polygons/S2@*.tsv two-grains/{S2,law}@*.tsv two-ellipses/{S2,law}@*.tsv two-roads/made.S2@*.tsv two-roads/shaken.S2@*.tsv two-thrown/S2.tsv two-thrown/law.tsv
+# from: two-hard/S2@*.tsv two-penetrable/{S2,boolean}@*.tsv two-aspect/S2@*.tsv two-exponent/S2@*.tsv two-polygons/S2@*.tsv two-grains/{S2,boolean}@*.tsv two-ellipses/{S2,boolean}@*.tsv two-roads/made.S2@*.tsv two-roads/shaken.S2@*.tsv two-thrown/S2.tsv two-thrown/boolean.tsv
 # two-points.awk: what is read off two-point functions. A curve is SCENE@VALUE, without the scene's `two-`; made and shaken stand before. Of h = S_aa - phi^2:
 #   half        the R at which it has fallen to half of phi - phi^2
 #   trough, trough_R, peak, peak_R   its least value, by phi - phi^2, with the sign changed; its largest beyond; and where
@@ -19,7 +19,7 @@ function name_of(path,   part, n, s) {
 }
 function row(name, value, error) { printf "%s\t%.12g\t%.12g\n", name, value, error }
 BEGIN { FS = "\t"; print "# written by two-points.awk\nquantity\tvalue\tstandard_error" }
-FNR == 1 { name = name_of(FILENAME); head = 0; law = kind == "law"; if (kind == "made.S2" || kind == "shaken.S2") { sub(/\.S2/, "", kind); name = kind "-" name } }
+FNR == 1 { name = name_of(FILENAME); head = 0; law = kind == "boolean"; if (kind == "made.S2" || kind == "shaken.S2") { sub(/\.S2/, "", kind); name = kind "-" name } }
 /^#/ { next }
 !head { delete at; for (k = 1; k <= NF; k++) at[$k] = k; head = 1; b = 0; if (!law) order[++curves] = name; next }
 law { fixed[name, b] = $at["S2_phi"]; exact[name, b++] = $at["S2_N"]; next }
@@ -64,13 +64,13 @@ function changed(c,   b, far, sigma) {
   }
   row("apart@" c, abs(change[c, far]) / unit(c), change_err[c, far] / unit(c)); row("apart_R@" c, R[c, far], 0); row("sigma@" c, sigma, 0)
 }
-function lawful(c, law, what,   b, far, sigma, s) {
+function lawful(c, rule, what,   b, far, sigma, s) {
   for (b = 1; b < n[c]; b++) {
-    s = abs(S[c, b] - law[c, b])
-    if (s > abs(S[c, far] - law[c, far])) far = b
+    s = abs(S[c, b] - rule[c, b])
+    if (s > abs(S[c, far] - rule[c, far])) far = b
     if (s / e[c, b] > sigma) sigma = s / e[c, b]
   }
-  row(what "@" c, abs(S[c, far] - law[c, far]), e[c, far]); row(what "_sigma@" c, sigma, 0)
+  row(what "@" c, abs(S[c, far] - rule[c, far]), e[c, far]); row(what "_sigma@" c, sigma, 0)
 }
 # S's box is 40 radii wide.
 function beyond(c,   b, sum, noise, m, excess) {

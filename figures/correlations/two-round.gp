@@ -19,7 +19,7 @@ plot data("two-polygons", "S2@4.tsv") using "R":"S2":"S2_err" with yerrorlines l
 unset label 9
 set lmargin screen 0.565; set rmargin screen 0.985; set format y ""
 set label 1 "may overlap; lines: the law"
-plot data("two-grains", "law@4.tsv") using "R":"S2_phi" with lines lt 1 lw 0.6, data("two-ellipses", "law@2.28367.tsv") using "R":"S2_phi" with lines lt 2 lw 0.6, \
+plot data("two-grains", "boolean@4.tsv") using "R":"S2_phi" with lines lt 1 lw 0.6, data("two-ellipses", "boolean@2.28367.tsv") using "R":"S2_phi" with lines lt 2 lw 0.6, \
   data("two-grains", "S2@4.tsv") using "R":"S2":"S2_err" every 2 with yerrorbars lt 1 lw 1 pt 7 ps 0.25, \
   data("two-ellipses", "S2@2.28367.tsv") using "R":"S2":"S2_err" every 2 with yerrorbars lt 2 lw 1 pt 5 ps 0.25
 unset multiplot

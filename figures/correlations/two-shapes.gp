@@ -4,7 +4,7 @@ set terminal cairolatex pdf size 12.6cm,14cm font ",10" fontscale 0.9
 set output out
 curve(s, v) = data("two-".s, "S2@".v.".tsv")
 both(s, v, d, w) = columns("by=R ".curve(s, v)." ".curve(d, w))
-laws(v) = columns("by=R ".data("two-grains", "law@".v.".tsv")." ".data("two-ellipses", "law@1.tsv"))
+laws(v) = columns("by=R ".data("two-grains", "boolean@".v.".tsv")." ".data("two-ellipses", "boolean@1.tsv"))
 less(name) = 1e3*(column(name) - column(name."_2"))
 less_err(name) = 1e3*sqrt(column(name."_err")**2 + column(name."_err_2")**2)
 aspects = "1 1.5 2 3 5"; exponents = "1 1.5 2 5 50"; polygons = "triangle square pentagon hexagon disc"
@@ -30,8 +30,8 @@ do for [p = 0:3] {
       curve("exponent", "1") using "R":"S2":"S2_err" with yerrorlines lt 3 lw 0.8 pt 7 ps 0.1
   }
   if (p == 3) {
-    plot for [i = 1:4] data("two-grains", "law@".word("3 4 5 6", i).".tsv") using "R":"S2_phi" with lines lt int(word(sides, i)) lw 0.6, \
-      data("two-ellipses", "law@1.tsv") using "R":"S2_phi" with lines lt 3 lw 0.6, \
+    plot for [i = 1:4] data("two-grains", "boolean@".word("3 4 5 6", i).".tsv") using "R":"S2_phi" with lines lt int(word(sides, i)) lw 0.6, \
+      data("two-ellipses", "boolean@1.tsv") using "R":"S2_phi" with lines lt 3 lw 0.6, \
       for [i = 1:4] curve("grains", word("3 4 5 6", i)) using "R":"S2":"S2_err" every 2::(i % 2) with yerrorbars lt int(word(sides, i)) lw 0.8 pt 7 ps 0.15, \
       curve("ellipses", "1") using "R":"S2":"S2_err" every 2 with yerrorbars lt 3 lw 0.8 pt 7 ps 0.15
   }
