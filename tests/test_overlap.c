@@ -187,7 +187,7 @@ static void test_shallow(void) {
   Shape *shapes[SHAPES];
   Rng rng = rng_stream(75, 0, RNG_TEST);
   make_shapes(shapes);
-  int disagree = 0, outside = 0;
+  int disagree = 0, outside = 0, coarse = 0;
   for (int k = 0; k < as_many(6000, 400000); k++) {
     Body A = any(shapes, &rng, 0.1), B = any(shapes, &rng, 0.1);
     double phi = 7 * rng_uniform(&rng), nx = cos(phi), ny = sin(phi), e = pow(1e-8, rng_uniform(&rng)), p[2], q[2];
@@ -197,13 +197,18 @@ static void test_shallow(void) {
     width(&B, -nx, -ny, q);
     B.x = p[0] - q[0] - e * nx;
     B.y = p[1] - q[1] - e * ny;
-    Overlap o;
+    Overlap o, fine;
     bool overlaps = overlap_find(&A, &B, &o);
     disagree += overlaps != (overlap_verdict(&A, &B, NULL) == OVERLAP_CROSSING);
     outside += !(o.low <= o.area && o.area <= o.high);
+    if (k % 20 || !overlaps)
+      continue;
+    overlap_mixed(&A, &B, 400, &fine);
+    coarse += !(fine.low - 2e-14 <= o.area && o.area <= fine.high + 2e-14);
   }
   gsl_test_int(disagree, 0, "verdict and area agree on shallow overlaps");
   gsl_test_int(outside, 0, "whose area is inside its bracket");
+  gsl_test_int(coarse, 0, "and inside that of polygons of 400 corners");
   free_shapes(shapes);
 }
 
@@ -265,7 +270,7 @@ static void test_forces(void) {
     if (A.shape && A.shape->m == 0 && B.shape && B.shape->m == 0)
       continue;
     overlap_mixed(&A, &B, 160, &other);
-    gsl_test(!(fabs(other.area - o.area) < 2e-3 * least && other.low <= o.area + 1e-14 && o.area <= other.high + 1e-14),
+    gsl_test(!(fabs(other.area - o.area) < 2e-3 * least && other.low <= o.area + 4e-14 && o.area <= other.high + 4e-14),
              "%s and %s: mixed %.9g, want %.9g", name(&A), name(&B), other.area, o.area);
     gsl_test(!(fabs(other.x - o.x) < 1e-2 && fabs(other.fx - o.fx) + fabs(other.fy - o.fy) < 0.05), "its centroid and force");
   }
@@ -349,15 +354,17 @@ static void test_potential(void) {
   make_shapes(shapes);
   int wrong = 0, off = 0, higher = 0;
   double a[2], b[2];
-  for (int k = 0; k < as_many(400, 10000); k++) {
+  for (int k = 0; k < as_many(1500, 10000); k++) {
     Body A = any(shapes, &rng, 0.3), B = any(shapes, &rng, 0.3);
     double point[2], gap;
-    if ((A.shape && (A.shape->sides || A.shape->a > 2)) || (B.shape && (B.shape->sides || B.shape->a > 2)))
+    if ((A.shape && A.shape->sides) || (B.shape && B.shape->sides))
       continue;
     OverlapVerdict verdict = overlap_verdict(&A, &B, &gap);
-    if (verdict == OVERLAP_CROSSING && hypot(A.x - B.x, A.y - B.y) < A.radius + 0.5 * B.radius)
-      continue; /* deep: one may lie in the other */
-    wrong += overlap_potential(&A, &B, a, b) != (verdict == OVERLAP_CROSSING);
+    bool deep = hypot(A.x - B.x, A.y - B.y) < A.radius + 0.5 * B.radius; /* one may lie in the other */
+    bool inside = overlap_potential(&A, &B, a, b);
+    wrong += inside && verdict != OVERLAP_CROSSING;
+    if (!deep && (!A.shape || A.shape->a <= 2) && (!B.shape || B.shape->a <= 2))
+      wrong += inside != (verdict == OVERLAP_CROSSING);
     off += !(fabs(gauge(&A, a[0], a[1]) - 1) < 1e-13 && fabs(gauge(&B, b[0], b[1]) - 1) < 1e-13);
     for (int i = 0; i < 40; i++) {
       width(&A, cos(0.157 * i), sin(0.157 * i), point);
@@ -369,7 +376,7 @@ static void test_potential(void) {
   gsl_test_int(higher, 0, "no point of the boundary is deeper");
   Body A = body(NULL, 1, 0, 0, 0), B = body(NULL, 0.7, 1.2, 0.9, 0);
   overlap_potential(&A, &B, a, b);
-  gsl_test(!(hypot(a[0] - 0.8, a[1] - 0.6) < 1e-7 && hypot(b[0] - 0.64, b[1] - 0.48) < 1e-7), "of two discs");
+  gsl_test(!(hypot(a[0] - 0.8, a[1] - 0.6) < 1e-12 && hypot(b[0] - 0.64, b[1] - 0.48) < 1e-12), "of two discs");
   free_shapes(shapes);
 }
 
