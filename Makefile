@@ -1,6 +1,6 @@
 # randpack: a literate laboratory for random packs. `make help` lists the verbs.
 
-PACKAGES := make gcc libc6-dev libgsl-dev libfftw3-dev libconfig-dev gnuplot-nox noweb \
+PACKAGES := make gcc libc6-dev libgsl-dev libfftw3-dev zlib1g-dev libconfig-dev gnuplot-nox noweb \
   texlive-latex-recommended texlive-fonts-recommended lmodern clang-format
 
 SHELL := /bin/bash
@@ -43,7 +43,7 @@ endif
 CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno \
             -fno-trapping-math -fopenmp -ffile-prefix-map=$(CURDIR)=.
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers $(WERROR)
-LIBS     := -lconfig -lfftw3 -lgsl -lgslcblas -lm
+LIBS     := -lconfig -lfftw3 -lz -lgsl -lgslcblas -lm
 # Without vectors, of which clang would complain.
 SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined -Wno-pass-failed

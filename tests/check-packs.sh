@@ -18,7 +18,7 @@ bad() {
 }
 two='A 1 2 3 1\nA 5 6 7 1\n'
 bad 'an empty file' 1 'the file ends here; the first' ''
-bad 'a word for the number' 1 'no number of particles; the first line' "two\n$full\n$two"
+bad 'a word for the number' 1 'not a pack; give' "two\n$full\n$two"
 bad 'a negative number' 1 'no number of particles; the first line' "-2\n$full\n$two"
 bad 'half a particle' 1 'no number of particles; the first line' "2.5\n$full\n$two"
 bad 'a number alone' 2 'the file ends here; each' '2\n'

@@ -18,7 +18,7 @@ for name in $names; do run "$randpack" || { echo "FAIL: the scene $name"; failed
 
 to=clang
 [[ ${CC:-gcc} != *clang* ]] || to=gcc
-if echo 'int main(void) { return 0; }' | $to -x c -fopenmp - -lgsl -lfftw3 -lconfig -o "$tmp/tried" 2> "$tmp/err"; then
+if echo 'int main(void) { return 0; }' | $to -x c -fopenmp - -lgsl -lfftw3 -lz -lconfig -o "$tmp/tried" 2> "$tmp/err"; then
   tell "$to builds the program" build $to CC=$to
   for name in $names; do tell "the same bytes of $name by $to" as_here "$tmp/$to/bin/randpack"; done
 else
@@ -31,11 +31,11 @@ qemu=$(command -v qemu-aarch64-static || command -v qemu-aarch64)
 libraries() {
   mkdir -p "$tmp"/apt/{lists,archives}/partial && cd "$tmp/apt" &&
     apt=(-q -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State::lists="$tmp/apt/lists" -o Dir::Cache="$tmp/apt") &&
-    apt-get "${apt[@]}" update && apt-get "${apt[@]}" download libgsl-dev libfftw3-dev libconfig-dev &&
+    apt-get "${apt[@]}" update && apt-get "${apt[@]}" download libgsl-dev libfftw3-dev zlib1g-dev libconfig-dev &&
     for package in *.deb; do dpkg-deb -x "$package" "$tmp/root" || return 1; done
 }
 if command -v $cross > "$tmp/out" && [ -n "$qemu" ] && (libraries) > "$tmp/fetched" 2>&1; then
-  tell "it builds for $to" build $to CC=$cross LIBS="-static $lib/libconfig.a $lib/libfftw3.a $lib/libgsl.a $lib/libgslcblas.a -lm" \
+  tell "it builds for $to" build $to CC=$cross LIBS="-static $lib/libconfig.a $lib/libfftw3.a $lib/libz.a $lib/libgsl.a $lib/libgslcblas.a -lm" \
     WARNINGS="-isystem $tmp/root/usr/include"
   for name in $names; do tell "the same bytes of $name on $to" as_here "$qemu" "$tmp/$to/bin/randpack"; done
 else

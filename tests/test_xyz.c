@@ -3,6 +3,7 @@
 #include "outcome.h"
 #include "rng.h"
 #include "same.h"
+#include "files.h"
 #include "xyz.h"
 #include <float.h>
 #include <gsl/gsl_math.h>
@@ -76,7 +77,7 @@ static void round_trip(int dim, const Species species[], int kinds, bool own, co
   char again[sizeof path + 6];
   snprintf(again, sizeof again, "%s.again", path);
   write_to(path, pack, "seed=17 realization=3");
-  Pack *back = xyz_read(path, NULL, &out);
+  Pack *back = files_read(path, NULL, &out);
   gsl_test(!back, "%d-D, %s: is read back (%s)", dim, what, out.text);
   if (!back)
     return;
@@ -140,7 +141,7 @@ static void test_shapes(void) {
     Pack *pack = make_shapes(&one, 1, false);
     Outcome out = {0};
     write_to(path, pack, "");
-    Pack *back = xyz_read(path, NULL, &out);
+    Pack *back = files_read(path, NULL, &out);
     wrong[k % 2] += !back || !same_shapes(back, pack);
     shape_free(&one.shape);
     pack_free(&pack);
@@ -156,7 +157,7 @@ static Pack *read_text(const char *text, Outcome *out) {
   fputs(text, file);
   fclose(file);
   *out = (Outcome){0};
-  return xyz_read(path, NULL, out);
+  return files_read(path, NULL, out);
 }
 
 #define HEAD "Lattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1"
@@ -247,7 +248,7 @@ static void finite_trip(int dim, size_t n, bool own) {
   pack->open = M_PI;
   write_to(path, pack, "seed=17");
   Outcome out = {0};
-  Pack *back = xyz_read(path, NULL, &out);
+  Pack *back = files_read(path, NULL, &out);
   gsl_test(!back, "%d-D, finite: is read back (%s)", dim, out.text);
   if (!back)
     return;
@@ -284,7 +285,7 @@ static void sample(int dim, const char *open, double told, const double origin[]
   for (int k = 0; k < dim; k++)
     gsl_test(!(pack->box.side[k] >= 4 * far), "%d-D, a sample: a wide box", dim);
   write_to(path, pack, "");
-  Pack *back = xyz_read(path, NULL, &out);
+  Pack *back = files_read(path, NULL, &out);
   gsl_test(!back || back->open != told || !same_box(&back->box, &pack->box) ||
                !same_array(pack->x, back->x, 3 * (size_t)dim * sizeof(double)),
            "%d-D, a sample: once placed it stays", dim);
@@ -326,7 +327,7 @@ static void test_errors(void) {
     const char *text, *where, *what;
   } wrong[] = {
       {"", ":1:", "ends here"},
-      {"x\n", ":1:", "no number"},
+      {"x\n", ":1:", "not a pack"},
       {"1\n" HEAD "\n", ":3:", "ends here"},
       {"1\n" HEAD "\nA 1 2 x 1\n", ":3:", "not a number"},
       {"1\n" HEAD "\nA 1 2 inf 1\n", ":3:", "not finite"},
@@ -397,7 +398,7 @@ static void test_errors(void) {
     pack_free(&pack);
   }
   out = (Outcome){0};
-  gsl_test(xyz_read("/nonexistent/pack.xyz", NULL, &out) || out.status != WRONG, "a file that is not there");
+  gsl_test(files_read("/nonexistent/pack.xyz", NULL, &out) || out.status != WRONG, "a file that is not there");
 }
 
 /* One particle at (1, 2, 3) of radius 0.5 and name N, in a box of 8, in the ways that people and programs write it. */
@@ -432,28 +433,30 @@ static void test_known(void) {
   static const char *const bare = "2\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3\nB 1 2 3 \nA 1 4 3\n";
   Outcome out;
   Species species[] = {{.name = "A", .radius = 0.5}, {.name = "B", .radius = 0.25}};
-  XyzKnown known = {2, species, 2};
+  GatherKnown known = {2, species, 2};
   pack_free(&(Pack *){read_text(bare, &out)});
   out = (Outcome){0};
-  Pack *pack = xyz_read(path, &known, &out);
+  Pack *pack = files_read(path, &known, &out);
   gsl_test(!pack || pack->box.dim != 2 || pack->species[0].radius != 0.5 || pack->species[1].radius != 0.25 || pack->radius,
            "discs with known radii (%s)", out.text);
   pack_free(&pack);
   known.kinds = 1;
-  pack = xyz_read(path, &known, &out);
+  pack = files_read(path, &known, &out);
   gsl_test(!pack || pack->species[1].radius != 0.5, "a species that has the name of none is of all (%s)", out.text);
   pack_free(&pack);
-  known = (XyzKnown){3, species + 1, 1};
-  pack = xyz_read(path, &known, &out);
-  gsl_test(pack || !strstr(out.text, ":4: no radius of A"), "a radius that nobody knows (%s)", out.text);
+  strcpy(species[1].name, "C");
+  known = (GatherKnown){3, species + 1, 1};
+  pack = files_read(path, &known, &out);
+  gsl_test(pack || !strstr(out.text, ":3: no radius of B"), "a radius that nobody knows (%s)", out.text);
   pack_free(&pack);
+  strcpy(species[1].name, "B");
   pack_free(&(Pack *){read_text("2\nplain XYZ has a comment, say a = \"b\nB 1 2 3 .1 .2\nA 1 4 3\n", &out)});
   gsl_test(!strstr(out.text, "quote"), "a comment with half a quote and an equals sign may be anything (%s)", out.text);
   pack_free(&(Pack *){read_text("2\nplain XYZ has a comment\nB 1 2 3 .1 .2\nA 1 4 3\n", &out)});
   gsl_test(!strstr(out.text, "no radii"), "plain XYZ has no radii (%s)", out.text);
   out = (Outcome){0};
-  known = (XyzKnown){3, species, 2};
-  pack = xyz_read(path, &known, &out);
+  known = (GatherKnown){3, species, 2};
+  pack = files_read(path, &known, &out);
   gsl_test(!pack || !(pack->open > 0) || pack->n != 2, "plain XYZ with known radii is a finite pack (%s)", out.text);
   pack_free(&pack);
 }
@@ -480,7 +483,7 @@ static void test_order(void) {
                pack->radius[0] != 1, "species that are told keep their order and radius (%s)", out.text);
   if (pack) {
     write_to(path, pack, "");
-    Pack *back = xyz_read(path, NULL, &out);
+    Pack *back = files_read(path, NULL, &out);
     gsl_test(!back || !same_species(pack, back), "and when they are written again");
     pack_free(&back);
   }
@@ -493,14 +496,15 @@ static void test_frames(void) {
   pack_free(&(Pack *){read_text(text, &out)});
   gsl_test(!strstr(out.text, "a second pack"), "one pack is wanted, and there are more (%s)", out.text);
   out = (Outcome){0};
-  XyzFile *file = xyz_open(path, NULL, &out);
+  PackFile file;
   int packs = 0;
-  for (Pack *pack; (pack = xyz_next(file, &out)); packs++) {
+  files_open(&file, path, NULL, NULL, &out);
+  for (Pack *pack; (pack = files_next(&file)); packs++) {
     gsl_test(pack->n != (packs == 1 ? 2 : 1) || *pack->species->name != 'A' + packs || (pack->open > 0) != (packs == 1), "pack %d of three", packs);
     pack_free(&pack);
   }
   gsl_test(packs != 3 || out.status != DONE, "three packs in a file (%d, %s)", packs, out.text);
-  xyz_close(file);
+  files_close(&file);
 }
 
 int main(void) {

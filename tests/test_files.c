@@ -1,0 +1,185 @@
+/* tests/test_files.c: dumps, tables and compressed files as packs; the kind of a file is told by its first line */
+#include "files.h"
+#include "xyz.h"
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_test.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <zlib.h>
+
+static char path[] = "/tmp/test_files.XXXXXX";
+static const Species ball = {.name = "A", .radius = 0.5};
+static const GatherKnown space = {3, NULL, 0}, plane = {2, NULL, 0}, balls = {3, &ball, 1}, discs = {2, &ball, 1};
+
+static void put(const char *text) {
+  FILE *file = fopen(path, "w");
+  fputs(text, file);
+  fclose(file);
+}
+
+static Pack *get(const char *text, const GatherKnown *known, Outcome *out) {
+  put(text);
+  *out = (Outcome){0};
+  return files_read(path, known, out);
+}
+
+#define DUMP "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS "
+#define CUBE "pp pp pp\n-5 5\n-5 5\n-5 5\n"
+
+static void test_dumps(void) {
+  static const char *const same[] = {
+      DUMP CUBE "ITEM: ATOMS id type x y z radius\n1 1 0 0 0 1\n2 2 3 0 4.5 0.5\n",
+      DUMP CUBE "ITEM: ATOMS type radius xs ys zs id\n2 0.5 0.8 .5 0.95 9\n1 1 0.5 0.5 0.5 8\n\n",
+      DUMP CUBE "ITEM: ATOMS xu yu zu diameter type\n13 0 -5.5 1 2\n-20 10 0 2 1\n",
+      DUMP "xy xz yz pp pp pp\n-5 5 0\n-5 5 0.0\n-5 5 0\nITEM: ATOMS x y z radius type\n3 0 4.5 0.5 2\n0 0 0 1 1\n"};
+  Outcome out;
+  for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
+    Pack *pack = get(same[k], &space, &out);
+    gsl_test(!pack || pack->n != 2 || pack->kinds != 2 || pack->open > 0 || pack->box.side[2] != 10 || pack->species[0].radius != 1,
+             "dump %zu: %s", k, out.text);
+    size_t i = pack && pack_kind(pack, 0) == 1 ? 0 : 1;
+    gsl_test(!pack || fabs(pack->x[3 * i] - 8) > 1e-14 || fabs(pack->x[3 * i + 2] - 9.5) > 1e-14 || pack_radius(pack, i) != 0.5,
+             "dump %zu: places are kept from the corner", k);
+    pack_free(&pack);
+  }
+  Pack *pack = get(DUMP "ff ff ff\n-5 5\n-5 5\n-5 5\nITEM: ATOMS x y z radius\n0 0 0 1\n2 2 2 1\n", &space, &out);
+  gsl_test(!pack || pack->open != 5, "a finite dump (%s)", out.text);
+  pack_free(&pack);
+  pack = get(DUMP "pp pp pp\n0 8\n0 9\n-.5 .5\nITEM: ATOMS x y z radius\n1 1 0 1\n5 5 0 1\n", &plane, &out);
+  gsl_test(!pack || pack->box.dim != 2 || pack->box.side[1] != 9 || pack->x[2] != 5, "discs (%s)", out.text);
+  pack_free(&pack);
+  pack = get(DUMP CUBE "ITEM: ATOMS id x y z\n1 0 0 0\n2 3 0 4.5\n", &balls, &out);
+  gsl_test(!pack || pack->species->radius != 0.5, "a radius that is known (%s)", out.text);
+  pack_free(&pack);
+  put(DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n2 2 2 1\n" DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 1 1\n3 2 2 1\n");
+  PackFile file;
+  int packs = 0;
+  out = (Outcome){0};
+  files_open(&file, path, &space, NULL, &out);
+  for (; (pack = files_next(&file)); packs++)
+    pack_free(&pack);
+  files_close(&file);
+  gsl_test(packs != 2 || out.status != DONE, "two times of a dump are two packs (%d, %s)", packs, out.text);
+}
+
+static void test_tables(void) {
+  static const char *const same[] = {"1 2 3 .5\n4 5 6 1\n",
+                                     "# x y z r\n\n1\t2\t3\t.5\n4\t5\t6\t1\n! end\n",
+                                     "x,y,z,radius\n1,2,3,0.5\n4,5,6,1\n",
+                                     "\"Z [mm]\"; \"X [mm]\"; \"Y [mm]\"; \"Diameter [mm]\"; Type\r\n3;1;2;1;A\r\n6;4;5;2;A\r\n",
+                                     "// of a spreadsheet\nid, Radius , X,Y,Z , note\n7, .5 , 1,2,3, a b\n8,1,4,5,6,\n"};
+  static const Box box = {3, {10, 11, 12}};
+  Outcome out;
+  for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
+    Pack *pack = get(same[k], &space, &out);
+    gsl_test(!pack || pack->n != 2 || !pack->radius || pack->radius[0] != 0.5 || pack->radius[1] != 1 || !(pack->open > 0) ||
+                 fabs(pack->x[3] - pack->x[0] - 3) > 1e-14 || fabs(pack->x[5] - pack->x[2] - 3) > 1e-14 || pack->kinds != 1,
+             "table %zu: %s", k, out.text);
+    pack_free(&pack);
+    PackFile file;
+    files_open(&file, path, &space, &box, &out);
+    pack = files_next(&file);
+    gsl_test(!pack || pack->open > 0 || pack->box.side[2] != 12 || pack->x[4] != 5 || files_next(&file) || out.status, "table %zu in a box", k);
+    pack_free(&pack);
+    files_close(&file);
+  }
+  Pack *pack = get("1 2 3\n4 5 6\n", &plane, &out);
+  gsl_test(!pack || pack->box.dim != 2 || !pack->radius || pack->radius[1] != 6, "x, y and a radius in the plane (%s)", out.text);
+  pack_free(&pack);
+  pack = get("1 2 3\n4 5 6\n", &balls, &out);
+  gsl_test(!pack || pack->box.dim != 3 || pack->species->radius != 0.5, "x, y, z in space, with a known radius (%s)", out.text);
+  pack_free(&pack);
+  pack = get("1 2\n4 5\n", &discs, &out);
+  gsl_test(!pack || pack->n != 2 || pack->species->radius != 0.5, "x, y in the plane (%s)", out.text);
+  pack_free(&pack);
+}
+
+/* The same bytes, by gzip; and cut short. */
+static void test_compressed(void) {
+  static const char text[] = "2\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\nB 4 5 6 1\n";
+  char packed[400];
+  Outcome out = {0};
+  gzFile gz = gzopen(path, "wb");
+  gzputs(gz, text);
+  gzclose(gz);
+  Pack *pack = files_read(path, NULL, &out);
+  gsl_test(!pack || pack->n != 2 || pack->kinds != 2, "a compressed file (%s)", out.text);
+  pack_free(&pack);
+  FILE *file = fopen(path, "rb");
+  size_t length = fread(packed, 1, sizeof packed, file);
+  fclose(file);
+  for (size_t cut = 12; cut < length; cut++) {
+    file = fopen(path, "wb");
+    fwrite(packed, 1, cut, file);
+    fclose(file);
+    out = (Outcome){0};
+    pack = files_read(path, NULL, &out);
+    gsl_test(pack || out.status != WRONG || !strchr(out.text, ';'), "cut after %zu bytes: %s", cut, out.text);
+    pack_free(&pack);
+  }
+  out = (Outcome){0};
+  gsl_test(files_read("/tmp", NULL, &out) || out.status != WRONG, "a directory (%s)", out.text);
+}
+
+/* Lines of any length, given back, without their ends. */
+static void test_lines(void) {
+  Outcome out = {0};
+  Lines lines;
+  FILE *file = fopen(path, "w");
+  for (int k = 0; k < 300000; k++)
+    fputc('a' + k % 26, file);
+  fputs("\r\n\nend", file);
+  fclose(file);
+  gsl_test(!lines_open(&lines, path, &out) || !lines_next(&lines) || strlen(lines.line) != 300000 || lines.line[299999] != 'a' + 299999 % 26, "a long line");
+  lines_again(&lines);
+  gsl_test(!lines_next(&lines) || strlen(lines.line) != 300000 || lines.number != 1, "and once more");
+  gsl_test(!lines_next(&lines) || *lines.line || !lines_next(&lines) || strcmp(lines.line, "end") != 0, "an empty one, and one without an end");
+  gsl_test(lines_next(&lines) || lines_next(&lines) || lines.number != 4 || out.status, "the end, and the end");
+  lines_close(&lines);
+}
+
+static void test_errors(void) {
+  static const struct {
+    const char *text, *where, *what;
+  } wrong[] = {
+      {DUMP "pp pp ff\n-5 5\n-5 5\n-5 5\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":9:", "in some directions only"},
+      {DUMP "xy xz yz pp pp pp\n-5 5 1\n-5 5 0\n-5 5 0\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":6:", "tilted"},
+      {DUMP CUBE "ITEM: ATOMS x y z\n0 0 0\n1 1 1\n", ":9:", "no radii"},
+      {DUMP CUBE "ITEM: ATOMS x z radius\n0 0 1\n1 1 1\n", ":9:", "no positions"},
+      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n", ":11:", "ends here"},
+      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1\n", ":11:", "another number of words"},
+      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 q 1\n", ":11:", "cannot be read"},
+      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 0\n", ":11:", "not above 0"},
+      {DUMP CUBE, ":9:", "particles are missing"},
+      {DUMP "pp pp pp\n5 -5\n", ":6:", "no bounds"},
+      {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\nx\n", ":4:", "no number"},
+      {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z radius\n0 0 0 1\n", ":5:", "no box before"},
+      {"1 2 3\n4 5 6\n", ":1:", "not a pack"},
+      {"1 2 3 1\n4 5 6\n", ":2:", "3 words in this line, and 4 in the first"},
+      {"1 2 3 1\n4 5 6,5 1\n", ":2:", "a decimal point"},
+      {"x y z r\n1 2 3 q\n", ":2:", "q is not a number"},
+      {"x y z r\n1 2 3 -1\n", ":2:", "not above 0"},
+      {"x y z r\n1 2 nan 1\n", ":2:", "not finite"},
+      {"x y z\n1 2 3\n", ":1:", "no radii"},
+      {"hello\n", ":1:", "not a pack"},
+      {"x,y,z,r,name\n1,2,3,1,\n", ":2:", "not a name"}};
+  Outcome out;
+  for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
+    Pack *pack = get(wrong[w].text, &space, &out);
+    gsl_test(pack || out.status != WRONG || !strstr(out.text, wrong[w].where) || !strstr(out.text, wrong[w].what) || !strchr(out.text, ';'),
+             "refused: %s (%s)", wrong[w].what, out.text);
+    pack_free(&pack);
+  }
+}
+
+int main(void) {
+  close(mkstemp(path));
+  test_dumps();
+  test_tables();
+  test_compressed();
+  test_lines();
+  test_errors();
+  remove(path);
+  return gsl_test_summary();
+}
