@@ -8,7 +8,8 @@ species = ( { name = "A"; radius = 1.0; volume = 0.5; }, { name = "B"; radius = 
 number = 700; fraction = 0.27;
 make = { method = "rsa"; order = "large first"; };
 measure = { rdf = { reach = 4.0; estimator = "central"; }; nearest = {}; order = {};
-            histogram = { centre = "random"; windows = 1000; }; coordination = { tolerance = 0.05; }; };
+            histogram = { centre = "random"; windows = 1000; }; coordination = { tolerance = 0.05; };
+            structure = { reach = 6.0; vectors = 300.0; }; chords = { lines = 200.0; }; };
 END
 cat > "$1/discs.scene" <<'END'
 dimension = 2; seed = 9007199254740992; realizations = 7; side = 30.0; fraction = "max"; save = true;
@@ -23,7 +24,7 @@ species = ( { name = "P"; radius = 1.0; number = 60; shape = { kind = "polygon";
             { name = "S"; radius = 1.5; number = 50; shape = { kind = "superellipse"; aspect = 1.5; m = 1.7; }; },
             { name = "D"; radius = 0.5; number = 20; } );
 make = { method = "points"; };
-measure = { rdf = { reach = 5.0; }; nearest = {}; order = {}; };
+measure = { rdf = { reach = 5.0; }; nearest = {}; order = {}; structure = { reach = 6.0; }; chords = { lines = 200.0; }; };
 END
 cat > "$1/grown.scene" <<'END'
 dimension = 3; seed = 5; realizations = 3; save = true; box = [1.0, 1.0, 1.5];
