@@ -1,6 +1,7 @@
 /* tests/test_structure.c: sums by a slow program, lattices, points, form factors in closed form */
 #include "many.h"
 #include "points.h"
+#include "py.h"
 #include "structure.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_bessel.h>
@@ -254,6 +255,23 @@ static void test_zero(void) {
   structure_waves_free(&w);
 }
 
+/* The curve of Percus and Yevick, fitted in boxes of two thousand spheres up to ka = 1.4, gives its own S(0) to a hundredth. */
+static void test_zero_of_curves(void) {
+  static const double phis[] = {0.1, 0.2, 0.3, 0.4, 0.49, 0.58};
+  for (size_t i = 0; i < sizeof phis / sizeof *phis; i++) {
+    double side = cbrt(2000 * 4 * M_PI / 3 / phis[i]), error, zero = py_structure(phis[i], 0);
+    Box box = {3, {side, side, side}};
+    Waves *w = structure_waves(&box, 1.5, 0.1, 0);
+    double *S = calloc(w->n, sizeof *S);
+    for (size_t v = 0; v < w->n; v++)
+      S[v] = py_structure(phis[i], w->k[v]);
+    gsl_test_rel(structure_zero(w, S, 1.4, &error), zero, 0.01, "S(0) of Percus and Yevick at %g", phis[i]);
+    gsl_test(!(error > 0.08 * zero && error < 0.34 * zero), "and its noise: %g", error / zero);
+    free(S);
+    structure_waves_free(&w);
+  }
+}
+
 /* Form factors: a square is two sines; an ellipse a Bessel function; curves between, by a polygon of many sides. */
 static double polygon_of(const Shape *shape, const double k[2]) {
   enum { N = 4000 };
@@ -447,6 +465,7 @@ int main(void) {
   test_choice();
   test_bins();
   test_zero();
+  test_zero_of_curves();
   test_forms();
   test_solid_of_parts();
   test_tables();
