@@ -152,6 +152,38 @@ static void test_ways(void) {
   pack_free(&pack);
 }
 
+/* Which images of a particle are joined to it does not depend on where the box begins. In a narrow box small clusters close, and
+   are joined to others later. */
+static void test_moved(void) {
+  enum { N = 25 };
+  Rng rng = rng_stream(93, 0, RNG_TEST);
+  int differ = 0, closed = 0;
+  for (int k = 0; k < as_many(100, 1000); k++) {
+    double x[2][N][2], R = 0.45 + 0.2 * rng_uniform(&rng), move[2] = {20 * rng_uniform(&rng), 2 * rng_uniform(&rng)};
+    PercolationLabels *labels[2];
+    for (int i = 0; i < 2 * N; i++) {
+      double side = i % 2 ? 2 : 20;
+      x[0][i / 2][i % 2] = side * rng_uniform(&rng);
+      x[1][i / 2][i % 2] = box_wrap(x[0][i / 2][i % 2] + move[i % 2], side);
+    }
+    for (int m = 0; m < 2; m++) {
+      Pack *pack = discs(N, (const double(*)[2])x[m], R, 20, 2);
+      labels[m] = percolation_labels(pack, 1);
+      pack_free(&pack);
+    }
+    for (size_t i = 0; i < N; i++) {
+      static const int n[3] = {0, 1, 0};
+      bool joined = percolation_joined(labels[0], i, i, n);
+      closed += joined;
+      differ += joined != percolation_joined(labels[1], i, i, n);
+    }
+    for (int m = 0; m < 2; m++)
+      percolation_labels_free(&labels[m]);
+  }
+  gsl_test_int(differ, 0, "the same images are joined in a box that begins elsewhere");
+  gsl_test(closed < as_many(100, 1000), "%d closed", closed);
+}
+
 static void test_spheres(void) {
   Species species = {.name = "P", .radius = 0.6, .count = 5};
   Box box = {3, {5, 6, 7}};
@@ -167,6 +199,7 @@ int main(void) {
   test_by_hand();
   test_plain();
   test_ways();
+  test_moved();
   test_thresholds();
   test_spheres();
   return gsl_test_summary();
