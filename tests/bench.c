@@ -2416,6 +2416,7 @@ static void side_seconds(Bench *bench) {
 }
 
 #include "bench_shapes.h"
+#include "bench_threepoint.h"
 
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
@@ -2483,7 +2484,11 @@ static const Task tasks[] = {
     {"penetrable",
      {"penetrable", "cover", "overlap", "shape", "elementary", "rng", "flags"},
      NULL,
-     penetrable_seconds}};
+     penetrable_seconds},
+    {"threepoint",
+     {"threepoint", "indicator", "shape", "elementary", "simd", "rng", "flags"},
+     threepoint_operations,
+     threepoint_seconds}};
 
 static void operations(Bench *bench) {
   char print[COUNT(tasks)][17];

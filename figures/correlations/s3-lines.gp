@@ -1,6 +1,6 @@
 # Lines on the surfaces of S Fig. 10: the diagonal, and a cut across it.
 # data: s3-squares
-set xrange [0:6]; set yrange [0.29:0.72]
+set xrange [0:6]; set yrange [0.29:0.76]
 set xlabel "$R$"; set ylabel "$S_3$" offset 1
 set key at graph 0.98,0.97 right vertical
 diagonal(t) = sprintf("< awk -F'\\t' '/^theta/ || ($1 == %g && $2 == $3)' %s", t, data("s3-squares", "S3.tsv"))
