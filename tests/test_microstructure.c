@@ -390,8 +390,10 @@ static void test_unequal(void) {
   pack_free(&pack);
   static const double y[] = {.5, .5, .5, .941, .5, .5, .2, .22, .205}, s[] = {.4, .04, .1}, cube[3] = {1, 1, 1};
   Pack *space = particles(3, cube, 3, y, s);
-  Microstructure one = measured(space, 1e-8, 0.8, NULL), two = measured(space, 1e-8, 1.3, NULL), three = measured(space, 1e-4, 1, NULL);
-  gsl_test_rel(one.eta, two.eta, 1e-8, "10:1 in space, two balances");
+  double share[2][3][2];
+  Microstructure one = measured(space, 1e-6, 0.8, share[0]), two = measured(space, 1e-10, 1.3, share[1]), three = measured(space, 1e-4, 1, NULL);
+  gsl_test_rel(share[0][1][1], share[1][1][1], 1e-6, "10:1 in space, the share of the small one");
+  gsl_test_rel(one.eta, two.eta, 1e-6, "10:1 in space, two balances");
   gsl_test_rel(three.eta, two.eta, 1e-4, "10:1 in space, two errors");
   gsl_test_rel(three.zeta, two.zeta, 1e-4, "10:1 in space, two errors, zeta");
   pack_free(&space);
