@@ -49,26 +49,26 @@ function shape(c,   b, low, high) {
   row("back@" c, cross(c, b, 0) / 2, e[c, b] / steep(c, b) / 2)
 }
 function apart(name, c, d,   b, far, sigma, s, error) {
-  for (b = 1; b < n[c]; b++) {
+  for (b = 1 + (far = sigma = 0); b < n[c]; b++) {
     error = sqrt(e[c, b] ^ 2 + e[d, b] ^ 2); s = abs(S[c, b] - S[d, b])
     if (s > abs(S[c, far] - S[d, far])) far = b
-    if (s / error > sigma) sigma = s / error
+    if (error > 0 && s / error > sigma) sigma = s / error
   }
   row("apart@" name, abs(S[c, far] - S[d, far]) / unit(c), sqrt(e[c, far] ^ 2 + e[d, far] ^ 2) / unit(c))
   row("apart_R@" name, R[c, far], 0); row("sigma@" name, sigma, 0)
 }
 function changed(c,   b, far, sigma) {
-  for (b = 1; b < n[c]; b++) {
+  for (b = 1 + (far = sigma = 0); b < n[c]; b++) {
     if (abs(change[c, b]) > abs(change[c, far])) far = b
-    if (abs(change[c, b]) / change_err[c, b] > sigma) sigma = abs(change[c, b]) / change_err[c, b]
+    if (change_err[c, b] > 0 && abs(change[c, b]) / change_err[c, b] > sigma) sigma = abs(change[c, b]) / change_err[c, b]
   }
   row("apart@" c, abs(change[c, far]) / unit(c), change_err[c, far] / unit(c)); row("apart_R@" c, R[c, far], 0); row("sigma@" c, sigma, 0)
 }
 function lawful(c, rule, what,   b, far, sigma, s) {
-  for (b = 1; b < n[c]; b++) {
+  for (b = 1 + (far = sigma = 0); b < n[c]; b++) {
     s = abs(S[c, b] - rule[c, b])
     if (s > abs(S[c, far] - rule[c, far])) far = b
-    if (s / e[c, b] > sigma) sigma = s / e[c, b]
+    if (e[c, b] > 0 && s / e[c, b] > sigma) sigma = s / e[c, b]
   }
   row(what "@" c, abs(S[c, far] - rule[c, far]), e[c, far]); row(what "_sigma@" c, sigma, 0)
 }
