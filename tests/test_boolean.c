@@ -111,6 +111,15 @@ static void test_any(void) {
         sum += around((k + 0.5) * M_PI / n, &circle) / n;
       near(boolean_common(&grain, radius[i]), sum, 1e-7, "any shape against a sum over angles", radius[i] + 10 * (double)s);
     }
+    double sum = 0, far = 2 * shape[s]->outer;
+    gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(s == 4 ? 8 : 24);
+    for (size_t i = 0; i < rule->n; i++) {
+      double r, weight;
+      gsl_integration_glfixed_point(0, far, i, &r, &weight, rule);
+      sum += weight * 2 * M_PI * r * boolean_common(&grain, r);
+    }
+    gsl_integration_glfixed_table_free(rule);
+    near(sum / (M_PI * M_PI), 1, s == 4 ? 2e-2 : 5e-4, "integral over the plane, A^2", (double)s);
     near((M_PI - boolean_common(&grain, 1e-5)) / 1e-5, shape[s]->perimeter / M_PI, 1e-3, "slope -P/pi", (double)s);
     shape_free(&shape[s]);
   }

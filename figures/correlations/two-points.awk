@@ -11,7 +11,7 @@
 # Of packs that cover phi exactly: tail, the mean of S_aa less the law beyond R = 3, where no grain reaches, with the mean of the errors, which is
 # more than the error of the mean; and excess, what the mean of the law over the box is larger than phi^2 by.
 # longest: the longest segment within a regular polygon, by a: a diagonal, or the side of a triangle.
-# The curves of two scenes are independent; of the errors of a peak and a trough of one the squares add.
+# The squares of errors add: of a pack before and after shaking, and of the peak and the trough of one curve, that is too much rather than too little.
 function name_of(path,   part, n, s) {
   n = split(path, part, "/"); s = part[n - 1]; sub(/^two-/, "", s); file = part[n]; sub(/\.tsv$/, "", file)
   kind = file; sub(/@.*/, "", kind); sub(/[^@]*/, "", file)
@@ -25,7 +25,6 @@ FNR == 1 { name = name_of(FILENAME); head = 0; law = kind == "boolean"; if (kind
 law { fixed[name, b] = $at["S2_phi"]; exact[name, b++] = $at["S2_N"]; next }
 {
   R[name, b] = $1; S[name, b] = $at["S2"]; e[name, b] = $at["S2_err"]
-  if ("change" in at) { change[name, b] = $at["change"]; change_err[name, b] = $at["change_err"] }
   n[name] = ++b
 }
 function abs(x) { return x < 0 ? -x : x }
@@ -49,26 +48,19 @@ function shape(c,   b, low, high) {
   row("back@" c, cross(c, b, 0) / 2, e[c, b] / steep(c, b) / 2)
 }
 function apart(name, c, d,   b, far, sigma, s, error) {
-  for (b = 1; b < n[c]; b++) {
+  for (b = 1 + (far = sigma = 0); b < n[c]; b++) {
     error = sqrt(e[c, b] ^ 2 + e[d, b] ^ 2); s = abs(S[c, b] - S[d, b])
     if (s > abs(S[c, far] - S[d, far])) far = b
-    if (s / error > sigma) sigma = s / error
+    if (error > 0 && s / error > sigma) sigma = s / error
   }
   row("apart@" name, abs(S[c, far] - S[d, far]) / unit(c), sqrt(e[c, far] ^ 2 + e[d, far] ^ 2) / unit(c))
   row("apart_R@" name, R[c, far], 0); row("sigma@" name, sigma, 0)
 }
-function changed(c,   b, far, sigma) {
-  for (b = 1; b < n[c]; b++) {
-    if (abs(change[c, b]) > abs(change[c, far])) far = b
-    if (abs(change[c, b]) / change_err[c, b] > sigma) sigma = abs(change[c, b]) / change_err[c, b]
-  }
-  row("apart@" c, abs(change[c, far]) / unit(c), change_err[c, far] / unit(c)); row("apart_R@" c, R[c, far], 0); row("sigma@" c, sigma, 0)
-}
 function lawful(c, rule, what,   b, far, sigma, s) {
-  for (b = 1; b < n[c]; b++) {
+  for (b = 1 + (far = sigma = 0); b < n[c]; b++) {
     s = abs(S[c, b] - rule[c, b])
     if (s > abs(S[c, far] - rule[c, far])) far = b
-    if (s / e[c, b] > sigma) sigma = s / e[c, b]
+    if (e[c, b] > 0 && s / e[c, b] > sigma) sigma = s / e[c, b]
   }
   row(what "@" c, abs(S[c, far] - rule[c, far]), e[c, far]); row(what "_sigma@" c, sigma, 0)
 }
@@ -86,7 +78,7 @@ END {
   for (i = 1; i <= curves; i++) {
     c = order[i]; shape(c)
     if ((c, 1) in fixed && c != "thrown") { lawful(c, fixed, "law"); beyond(c) }
-    if ((c, 1) in change) changed(c)
+    if (c ~ /^shaken/) { d = c; sub(/shaken/, "made", d); apart(c, c, d) }
     if (c ~ /^hard@/) { d = c; sub(/hard/, "penetrable", d); apart("hard-penetrable" substr(c, 5), c, d) }
   }
   lawful("thrown", exact, "number"); lawful("thrown", fixed, "law")
