@@ -274,10 +274,13 @@ static void grain_run(void *of) {
   Rng rng = rng_stream(SEED, job->k++, RNG_PENETRABLE);
   Pack *pack = shaped_pack(job->form, 819, 0.8);
   pack->box.side[0] = pack->box.side[1] = 100;
+  PenetrablePlan plan = {.fraction = 0.8, .tolerance = 1e-14, .sweeps = 1, .attempts = 1e6};
   if (job->tolerance > 0)
-    penetrable_regenerate(pack, 0.8, job->tolerance, 1e6, &rng, &report, &out);
+    plan.tolerance = job->tolerance;
+  if (job->tolerance > 0)
+    penetrable_regenerate(pack, &plan, &rng, &report, &out);
   else
-    penetrable_exchange(pack, 0.8, 1e-14, 1, &rng, &report, &out);
+    penetrable_exchange(pack, &plan, &rng, &report, &out);
   pack_free(&pack);
 }
 

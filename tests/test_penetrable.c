@@ -36,7 +36,7 @@ static void test_law(void) {
   Sample phi = {0}, length = {0};
   for (int k = 0; k < as_many(400, 20000); k++) {
     double perimeter;
-    penetrable_throw(pack, &rng);
+    penetrable_throw(pack, false, &rng);
     add(&phi, covered(pack, &perimeter));
     add(&length, perimeter);
   }
@@ -63,7 +63,7 @@ static void test_exact(void) {
       PenetrableReport report;
       Outcome out = {0};
       Pack *pack = empty(shapes[k], (size_t)cases[c][0], cases[c][1], cases[c][2]);
-      int status = penetrable_exchange(pack, cases[c][3] * (1 - 1e-16), 1e-14, 1, &rng, &report, &out);
+      int status = penetrable_exchange(pack, &(PenetrablePlan){.fraction = cases[c][3] * (1 - 1e-16), .tolerance = 1e-14, .sweeps = 1}, &rng, &report, &out);
       gsl_test(status, "%g grains reach %g: %s", cases[c][0], cases[c][3], out.text);
       gsl_test_abs(covered(pack, NULL), cases[c][3], 2e-14, "and %g is covered", cases[c][3]);
       gsl_test(report.fraction != covered(pack, NULL), "as reported");
@@ -74,13 +74,13 @@ static void test_exact(void) {
   Pack *pack = empty(NULL, 10, 1, 10);
   PenetrableReport report;
   Outcome out = {0}, late = {0}, none = {0};
-  gsl_test_int(penetrable_exchange(pack, 0.32, 1e-14, 1, &rng, &report, &out), UNREACHED, "more than all grains");
+  gsl_test_int(penetrable_exchange(pack, &(PenetrablePlan){.fraction = 0.32, .tolerance = 1e-14, .sweeps = 1}, &rng, &report, &out), UNREACHED, "more than all grains");
   gsl_test(!strstr(out.text, "all grains together"), "it says so");
-  gsl_test_int(penetrable_regenerate(pack, 0.32, 1e-5, 10, &rng, &report, &none), UNREACHED, "by either road");
-  gsl_test_int(penetrable_regenerate(pack, 0.2, 1e-9, 10, &rng, &report, &late), UNREACHED, "in ten attempts");
+  gsl_test_int(penetrable_regenerate(pack, &(PenetrablePlan){.fraction = 0.32, .tolerance = 1e-5, .attempts = 10}, &rng, &report, &none), UNREACHED, "by either road");
+  gsl_test_int(penetrable_regenerate(pack, &(PenetrablePlan){.fraction = 0.2, .tolerance = 1e-9, .attempts = 10}, &rng, &report, &late), UNREACHED, "in ten attempts");
   gsl_test(report.attempts != 10, "they are counted");
   Outcome good = {0};
-  gsl_test_int(penetrable_regenerate(pack, 0.27, 1e-2, 1e4, &rng, &report, &good), DONE, "with time");
+  gsl_test_int(penetrable_regenerate(pack, &(PenetrablePlan){.fraction = 0.27, .tolerance = 1e-2, .attempts = 1e4}, &rng, &report, &good), DONE, "with time");
   gsl_test_abs(covered(pack, NULL), 0.27, 1e-2, "it is within the tolerance");
   pack_free(&pack);
   for (int k = 0; k < 3; k++)
@@ -100,20 +100,13 @@ static void test_ensembles(void) {
       Outcome out = {0};
       double perimeter;
       if (road == REGENERATE)
-        penetrable_regenerate(pack, 0.6, 1e-2, 1e6, &rng, &report, &out);
+        penetrable_regenerate(pack, &(PenetrablePlan){.fraction = 0.6, .tolerance = 1e-2, .attempts = 1e6}, &rng, &report, &out);
       else if (road == EXCHANGE)
-        penetrable_exchange(pack, 0.6, 1e-14, 1, &rng, &report, &out);
+        penetrable_exchange(pack, &(PenetrablePlan){.fraction = 0.6, .tolerance = 1e-14, .sweeps = 1}, &rng, &report, &out);
       else
-        penetrable_throw(pack, &rng);
-      double low = 0.1, high = 4;
-      for (int i = 0; road == SCALE && i < 20; i++) {
-        double *R = &pack->species[0].radius;
-        *R = 0.5 * (low + high);
-        if (covered(pack, NULL) < 0.6)
-          low = *R;
-        else
-          high = *R;
-      }
+        gsl_test(penetrable_scale(pack, &(PenetrablePlan){.fraction = 0.6}, &rng, &report, &out) ||
+                     fabs(covered(pack, NULL) - 0.6) > 1e-14 || report.fraction != covered(pack, NULL),
+                 "scaled to the fraction: %.17g", report.fraction);
       covered(pack, &perimeter);
       add(&length[road], perimeter / (side * side));
       pack_free(&pack);

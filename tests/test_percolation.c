@@ -107,7 +107,7 @@ static void test_thresholds(void) {
       Box box = {2, {side, side, 0}};
       for (int k = 0; k < packs; k++) {
         Pack *pack = pack_alloc(&box, &species, 1, false);
-        penetrable_throw(pack, &rng);
+        penetrable_throw(pack, false, &rng);
         for (size_t i = 0; c == 1 && i < pack->n; i++)
           pack->angle[i] = M_PI / 4;
         Percolation p = percolation_find(pack, 1);
