@@ -9,7 +9,7 @@ number = 700; fraction = 0.27;
 make = { method = "rsa"; order = "large first"; };
 measure = { rdf = { reach = 4.0; estimator = "central"; }; nearest = {}; order = {};
             histogram = { centre = "random"; windows = 1000; }; coordination = { tolerance = 0.05; };
-            pores = { points = 2000.0; }; surface = { points = 500.0; }; cluster = {}; };
+            pores = { points = 2000.0; }; surface = { points = 500.0; }; cluster = {};
             structure = { reach = 6.0; vectors = 300.0; }; chords = { lines = 200.0; }; };
 END
 cat > "$1/discs.scene" <<'END'
@@ -26,8 +26,8 @@ species = ( { name = "P"; radius = 1.0; number = 60; shape = { kind = "polygon";
             { name = "D"; radius = 0.5; number = 20; } );
 make = { method = "points"; };
 measure = { rdf = { reach = 5.0; }; nearest = {}; order = {};
-            pores = { points = 2000.0; }; surface = { points = 500.0; }; cluster = { points = 500.0; }; };
-measure = { rdf = { reach = 5.0; }; nearest = {}; order = {}; structure = { reach = 6.0; }; chords = { lines = 200.0; }; };
+            pores = { points = 2000.0; }; surface = { points = 500.0; }; cluster = { points = 500.0; };
+            structure = { reach = 6.0; }; chords = { lines = 200.0; };
             bounds = { pixels = 6.0; conductivity = [1.0, 10.0]; bulk = [1.0, 3.0]; shear = [1.0, 2.0]; }; };
 END
 cat > "$1/grown.scene" <<'END'
