@@ -30,6 +30,7 @@ static const struct {
     {"compression", "dimension = 2; fraction = 0.6; species = ( { radius = 1.5; number = 60; shape = { kind = \"polygon\"; sides = 5; }; }, { radius = 1.0; number = 20; } ); make = { method = \"compression\"; };"},
     {"relax", "dimension = 2; fraction = 0.75; species = ( { radius = 1.5; number = 60; shape = { kind = \"polygon\"; sides = 5; }; }, { radius = 1.0; number = 20; } ); make = { method = \"relax\"; };"},
     {"penetrable", "dimension = 2; fraction = 0.6; species = ( { radius = 1.5; number = 60; shape = { kind = \"polygon\"; sides = 5; }; }, { radius = 1.0; number = 20; } ); make = { method = \"penetrable\"; };"},
+    {"homometric", "dimension = 2; fraction = 0.15; species = ( { radius = 1.5; number = 4; } ); make = { method = \"homometric\"; twin = \"second\"; };"},
 };
 
 static Scene *scene_of(const char *text) {
