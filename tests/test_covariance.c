@@ -222,6 +222,27 @@ static void test_torus(void) {
   pack_free(&pack);
 }
 
+/* The pieces of one body, and of two discs that cross, are closed and have the area of what they bound. */
+static void test_pieces(void) {
+  Shape *shape = shape_superellipse(1.7, 3);
+  Body bodies[2] = {{shape, 1.2, 5, 5, 0.8, 0.6}, {NULL, 0.9, 6, 5.3, 1, 0}};
+  for (size_t n = 1; n <= 2; n++)
+    for (double bulge = 1e-3; bulge > 1e-5; bulge /= 16) {
+      size_t pieces;
+      double x = 0, y = 0, area = 0;
+      CoverPiece *piece = cover_boundary(bodies, n, NULL, bulge, &pieces);
+      for (size_t i = 0; i < pieces; i++) {
+        x += piece[i].ex;
+        y += piece[i].ey;
+        area += 0.5 * (piece[i].x * piece[i].ey - piece[i].y * piece[i].ex);
+      }
+      gsl_test_abs(fabs(x) + fabs(y), 0, 1e-12, "pieces of %d bodies are closed", (int)n);
+      gsl_test_rel(area, cover_area(bodies, n, NULL, NULL), 5 * bulge * bulge, "pieces of %d bodies have their area", (int)n);
+      free(piece);
+    }
+  shape_free(&shape);
+}
+
 static void test_edges(void) {
   Pack *pack = some(2, 1, 0, 1, 0, shape_regular(3), (const double[]){5, 5, 0}, NULL);
   Covariance *c = found(pack, 0.1, 1, false, 1e-3);
@@ -245,6 +266,7 @@ int main(void) {
   test_angles();
   test_roads();
   test_torus();
+  test_pieces();
   test_edges();
   return gsl_test_summary();
 }
