@@ -7,6 +7,7 @@
 #   back        r / D_eq where it returns through zero after the trough
 # A trough or a peak is told if it is four errors from 0. Of two curves, NAME:
 #   apart, apart_R, sigma   their largest difference, by phi - phi^2, where, and the largest in its standard errors
+#   first_law, first_number of packs and their law: S_aa less the law at the first R
 #   law, law_sigma          the same of packs and their law, not by phi - phi^2; number, number_sigma: the law of their number
 # Of packs that cover phi exactly: tail, the mean of S_aa less the law beyond R = 3, where no grain reaches, with the mean of the errors, which is
 # more than the error of the mean; and excess, what the mean of the law over the box is larger than phi^2 by.
@@ -62,6 +63,7 @@ function lawful(c, rule, what,   b, far, sigma, s) {
     if (s > abs(S[c, far] - rule[c, far])) far = b
     if (e[c, b] > 0 && s / e[c, b] > sigma) sigma = s / e[c, b]
   }
+  row("first_" what "@" c, S[c, 1] - rule[c, 1], e[c, 1])
   row(what "@" c, abs(S[c, far] - rule[c, far]), e[c, far]); row(what "_sigma@" c, sigma, 0)
 }
 # S's box is 40 radii wide.
