@@ -23,7 +23,7 @@ species = ( { name = "P"; radius = 1.0; number = 60; shape = { kind = "polygon";
             { name = "S"; radius = 1.5; number = 50; shape = { kind = "superellipse"; aspect = 1.5; m = 1.7; }; },
             { name = "D"; radius = 0.5; number = 20; } );
 make = { method = "points"; };
-measure = { rdf = { reach = 5.0; }; nearest = {}; order = {}; };
+measure = { rdf = { reach = 5.0; }; nearest = {}; order = {}; boolean = { reach = 3.0; }; };
 END
 cat > "$1/grown.scene" <<'END'
 dimension = 3; seed = 5; realizations = 3; save = true; box = [1.0, 1.0, 1.5];
