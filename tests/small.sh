@@ -29,6 +29,7 @@ measure = { rdf = { reach = 5.0; }; nearest = {}; order = {};
             pores = { points = 2000.0; }; surface = { points = 500.0; }; cluster = { points = 500.0; };
             structure = { reach = 6.0; }; chords = { lines = 200.0; };
             bounds = { pixels = 6.0; conductivity = [1.0, 10.0]; bulk = [1.0, 3.0]; shear = [1.0, 2.0]; }; };
+measure = { rdf = { reach = 5.0; }; nearest = {}; order = {}; boolean = { reach = 3.0; }; };
 END
 cat > "$1/grown.scene" <<'END'
 dimension = 3; seed = 5; realizations = 3; save = true; box = [1.0, 1.0, 1.5];

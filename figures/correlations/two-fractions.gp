@@ -12,7 +12,7 @@ set arrow 1 from 2,0 to 2,0.82 nohead lt 8 lw 0.6 back
 set lmargin screen 0.1; set rmargin screen 0.52
 set label 9 "$S_{aa}$" at screen 0.012,graph 0.5 center rotate
 set label 1 "without overlap" at 5.9,0.78 right
-set label 2 ink(8, "$D_{eq}$") at 2.1,0.03
+set label 2 ink(8, "$D_{eq}$") at 2.1,0.705
 do for [k = 1:8] { set label 10 + k sprintf("\\small$.%d$", k) at 6.1,0.01*k*k }
 plot for [k = 1:8] curve("hard", k) using "R":"S2":"S2_err" with yerrorlines lt 1 pt 7 ps 0.15 lw 0.8
 unset label 9; unset label 2

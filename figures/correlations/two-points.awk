@@ -7,9 +7,10 @@
 #   back        r / D_eq where it returns through zero after the trough
 # A trough or a peak is told if it is four errors from 0. Of two curves, NAME:
 #   apart, apart_R, sigma   their largest difference, by phi - phi^2, where, and the largest in its standard errors
+#   first_law, first_number of packs and their law: S_aa less the law at the first R
 #   law, law_sigma          the same of packs and their law, not by phi - phi^2; number, number_sigma: the law of their number
 # Of packs that cover phi exactly: tail, the mean of S_aa less the law beyond R = 3, where no grain reaches, with the mean of the errors, which is
-# more than the error of the mean; and excess, what the mean of the law over the box is larger than phi^2 by.
+# more than the error of the mean, tail@half of all shapes at .5; and excess, what the mean of the law over the box is larger than phi^2 by.
 # longest: the longest segment within a regular polygon, by a: a diagonal, or the side of a triangle.
 # The squares of errors add: of a pack before and after shaking, and of the peak and the trough of one curve, that is too much rather than too little.
 function name_of(path,   part, n, s) {
@@ -17,6 +18,7 @@ function name_of(path,   part, n, s) {
   kind = file; sub(/@.*/, "", kind); sub(/[^@]*/, "", file)
   return s file
 }
+function short(x) { return sprintf("%.2g", x) + 0 }
 function row(name, value, error) { printf "%s\t%.12g\t%.12g\n", name, value, error }
 BEGIN { FS = "\t"; print "# written by two-points.awk\nquantity\tvalue\tstandard_error" }
 FNR == 1 { name = name_of(FILENAME); head = 0; law = kind == "boolean"; if (kind == "made.S2" || kind == "shaken.S2") { sub(/\.S2/, "", kind); name = kind "-" name } }
@@ -54,7 +56,7 @@ function apart(name, c, d,   b, far, sigma, s, error) {
     if (error > 0 && s / error > sigma) sigma = s / error
   }
   row("apart@" name, abs(S[c, far] - S[d, far]) / unit(c), sqrt(e[c, far] ^ 2 + e[d, far] ^ 2) / unit(c))
-  row("apart_R@" name, R[c, far], 0); row("sigma@" name, sigma, 0)
+  row("apart_R@" name, R[c, far], 0); row("sigma@" name, short(sigma), 0)
 }
 function lawful(c, rule, what,   b, far, sigma, s) {
   for (b = 1 + (far = sigma = 0); b < n[c]; b++) {
@@ -62,7 +64,8 @@ function lawful(c, rule, what,   b, far, sigma, s) {
     if (s > abs(S[c, far] - rule[c, far])) far = b
     if (e[c, b] > 0 && s / e[c, b] > sigma) sigma = s / e[c, b]
   }
-  row(what "@" c, abs(S[c, far] - rule[c, far]), e[c, far]); row(what "_sigma@" c, sigma, 0)
+  row("first_" what "@" c, S[c, 1] - rule[c, 1], e[c, 1])
+  row(what "@" c, abs(S[c, far] - rule[c, far]), e[c, far]); row(what "_sigma@" c, short(sigma), 0)
 }
 # S's box is 40 radii wide.
 function beyond(c,   b, sum, noise, m, excess) {
@@ -70,17 +73,19 @@ function beyond(c,   b, sum, noise, m, excess) {
     excess += 2 * pi * R[c, b] * (R[c, 1] - R[c, 0]) * (fixed[c, b] - S[c, 0] ^ 2) / 1600
     if (R[c, b] > 3) { sum += S[c, b] - fixed[c, b]; noise += e[c, b]; m++ }
   }
-  row("tail@" c, sum / m, noise / m); row("excess@" c, excess, 0)
+  row("tail@" c, sum / m, noise / m); row("excess@" c, short(excess), 0)
+  if (c ~ /^(grains|ellipses)@/) { tails += sum / m; noises += (noise / m) ^ 2; many++ }
 }
 END {
   pi = 3.14159265358979
-  row("longest@3", 2 * sqrt(pi / sqrt(3)), 0); row("longest@4", sqrt(2 * pi), 0); row("longest@6", 2 * sqrt(2 * pi / (3 * sqrt(3))), 0)
+  row("longest@3", int(1e3 * 2 * sqrt(pi / sqrt(3)) + 0.5) / 1e3, 0); row("longest@4", int(1e3 * sqrt(2 * pi) + 0.5) / 1e3, 0); row("longest@6", int(1e3 * 2 * sqrt(2 * pi / (3 * sqrt(3))) + 0.5) / 1e3, 0)
   for (i = 1; i <= curves; i++) {
     c = order[i]; shape(c)
     if ((c, 1) in fixed && c != "thrown") { lawful(c, fixed, "law"); beyond(c) }
     if (c ~ /^shaken/) { d = c; sub(/shaken/, "made", d); apart(c, c, d) }
     if (c ~ /^hard@/) { d = c; sub(/hard/, "penetrable", d); apart("hard-penetrable" substr(c, 5), c, d) }
   }
+  row("tail@half", tails / many, sqrt(noises) / many)
   lawful("thrown", exact, "number"); lawful("thrown", fixed, "law")
   apart("round-hard", "polygons@4", "aspect@2.28367"); apart("round-penetrable", "grains@4", "ellipses@2.28367")
   apart("exponents", "exponent@1", "exponent@50"); apart("aspects", "aspect@1", "aspect@5")
