@@ -2483,7 +2483,12 @@ static const Task tasks[] = {
     {"penetrable",
      {"penetrable", "cover", "overlap", "shape", "elementary", "rng", "flags"},
      NULL,
-     penetrable_seconds}};
+     penetrable_seconds},
+    {"relax",
+     {"relax", "dynamics", "rim", "overlap", "touch", "shape", "elementary",
+      "points", "rng", "flags"},
+     NULL,
+     relax_seconds}};
 
 static void operations(Bench *bench) {
   char print[COUNT(tasks)][17];
