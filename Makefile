@@ -189,7 +189,7 @@ $(B)/data/atlas/summary.tsv: $(ATLAS:%=data/atlas/%/record)
 # Speed against error: the operations here, the seconds from their record.
 BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixture py table \
   near motion events engine crm core field gravity coarse dilute shake chain theory \
-  elementary shape overlap apart cover turning compression penetrable indicator threepoint flags
+  elementary shape overlap apart cover turning compression penetrable points rim dynamics relax touch indicator threepoint flags
 $(B)/data/speed/summary.tsv: tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'
 	@$(call TIMED,computed speed) $(B)/bench ops $(@D)

@@ -10,7 +10,8 @@ make = { method = "rsa"; order = "large first"; };
 measure = { rdf = { reach = 4.0; estimator = "central"; }; nearest = {}; order = {};
             histogram = { centre = "random"; windows = 1000; }; coordination = { tolerance = 0.05; };
             pores = { points = 2000.0; }; surface = { points = 500.0; }; cluster = {};
-            structure = { reach = 6.0; vectors = 300.0; }; chords = { lines = 200.0; }; };
+            structure = { reach = 6.0; vectors = 300.0; }; chords = { lines = 200.0; };
+            S2 = { step = 0.5; reach = 3.0; }; S3 = { step = 1.0; reach = 3.0; samples = 1024.0; }; };
 END
 cat > "$1/discs.scene" <<'END'
 dimension = 2; seed = 9007199254740992; realizations = 7; side = 30.0; fraction = "max"; save = true;
@@ -28,8 +29,8 @@ make = { method = "points"; };
 measure = { rdf = { reach = 5.0; }; nearest = {}; order = {};
             pores = { points = 2000.0; }; surface = { points = 500.0; }; cluster = { points = 500.0; };
             structure = { reach = 6.0; }; chords = { lines = 200.0; };
-            bounds = { pixels = 6.0; conductivity = [1.0, 10.0]; bulk = [1.0, 3.0]; shear = [1.0, 2.0]; }; };
-measure = { rdf = { reach = 5.0; }; nearest = {}; order = {}; boolean = { reach = 3.0; }; };
+            bounds = { pixels = 6.0; conductivity = [1.0, 10.0]; bulk = [1.0, 3.0]; shear = [1.0, 2.0]; };
+            boolean = { reach = 3.0; }; S2 = { step = 0.5; reach = 3.0; }; S3 = { step = 1.0; reach = 3.0; samples = 1024.0; }; };
 END
 cat > "$1/grown.scene" <<'END'
 dimension = 3; seed = 5; realizations = 3; save = true; box = [1.0, 1.0, 1.5];

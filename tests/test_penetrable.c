@@ -118,7 +118,25 @@ static void test_ensembles(void) {
            spread(&length[SCALE]) / regenerated);
 }
 
+/* Squares that are all at the angle 0. */
+static void test_parallel(void) {
+  Shape *square = shape_regular(4);
+  Pack *pack = empty(square, 30, 1, 10);
+  Rng rng = rng_stream(84, 0, RNG_TEST);
+  PenetrableReport report;
+  Outcome out = {0};
+  PenetrablePlan plan = {.fraction = 0.5, .tolerance = 1e-14, .sweeps = 2, .parallel = true};
+  int turned = penetrable_exchange(pack, &plan, &rng, &report, &out);
+  for (size_t i = 0; i < pack->n; i++)
+    turned += pack->angle[i] != 0;
+  gsl_test_int(turned, 0, "parallel grains stay so");
+  gsl_test_abs(covered(pack, NULL), 0.5, 1e-13, "and cover the fraction");
+  pack_free(&pack);
+  shape_free(&square);
+}
+
 int main(void) {
+  test_parallel();
   test_law();
   test_exact();
   test_ensembles();

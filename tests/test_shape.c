@@ -306,7 +306,18 @@ static void test_copy(void) {
   shape_free(&square);
 }
 
+/* An exponent next to 1/2 is one half. */
+static void test_nearly_rhombus(void) {
+  Shape *near = shape_superellipse(1.3, 0.5 * (1 + 0x1p-52)), *far = shape_superellipse(1.3, 0.5 + 1e-9);
+  gsl_test(near->sides != 4 || near->m != 0.5, "m one unit above 1/2 is a rhombus");
+  gsl_test(far->sides != 0 || fabs(shape_support(far, 0.6, 0.8) - shape_support(near, 0.6, 0.8)) > 2e-9,
+           "m = 1/2 + 1e-9 is not, and as large");
+  shape_free(&near);
+  shape_free(&far);
+}
+
 int main(void) {
+  test_nearly_rhombus();
   test_superellipses();
   test_perimeters();
   test_table();

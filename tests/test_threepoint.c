@@ -98,7 +98,7 @@ static void test_penetrable(void) {
   ThreepointPlan plan = {ARMS, 0.63, 1, theta, false, 2048, 0, 0};
   double sum[2][CELLS] = {{0}}, square[2][CELLS] = {{0}}, far[2] = {0};
   for (int k = 0; k < packs; k++) {
-    penetrable_throw(pack, &rng);
+    penetrable_throw(pack, false, &rng);
     for (int m = 0; m < 2; m++) {
       plan.matrix = m;
       Threepoint *found = threepoint_shared(pack, &plan, &rng);
