@@ -134,6 +134,25 @@ static double missed(double area, size_t pairs) {
   return missed / (double)pairs;
 }
 
+/* Two pairs as S Fig. 1 has them, to be drawn: what they share, and the force. */
+static void overlap_pairs(Bench *bench) {
+  static const Form shapes[] = {{"1.5-1.5", 0, 1.5, 1.5}, {"triangle", 3, 0, 0}};
+  static const double place[2][4] = {{0.3, 1.65, 0.75, 2.2}, {0.35, 1.35, 0.55, 2.6}}; /* angle; x, y, angle */
+  Table table = begin(bench, "overlap-pairs.tsv", "Two pairs of shapes of radius 1, and what they share; A is at the origin",
+                      "shape\tsides\taspect\tm\tangle_A\tx\ty\tangle_B\tarea\tarea_x\tarea_y\tforce_x\tforce_y");
+  for (size_t f = 0; f < COUNT(shapes); f++) {
+    Shape *shape = form_shape(shapes + f);
+    const double *p = place[f];
+    Body A = {shape, 1, 0, 0, cos(p[0]), sin(p[0])}, B = {shape, 1, p[1], p[2], cos(p[3]), sin(p[3])};
+    Overlap o;
+    overlap_find(&A, &B, &o);
+    fprintf(table.file, "%s\t%d\t%g\t%g\t%g\t%g\t%g\t%g\t%.6f\t%.6f\t%.6f\t%.6f\t%.6f\n", shapes[f].label, shapes[f].sides,
+            shapes[f].aspect, shapes[f].m, p[0], p[1], p[2], p[3], o.area, o.x, o.y, o.fx, o.fy);
+    shape_free(&shape);
+  }
+  end(bench, &table);
+}
+
 static void overlap_operations(Bench *bench) {
   Table table = begin(bench, "overlap.tsv",
                       "Overlap areas of random pairs: error by the area of one",
@@ -162,6 +181,7 @@ static void overlap_operations(Bench *bench) {
     say(bench, part, sqrt(part * (1 - part) / pairs), "overlap_missed_%d", k);
   }
   end(bench, &table);
+  overlap_pairs(bench);
 }
 
 static void overlap_seconds(Bench *bench) {

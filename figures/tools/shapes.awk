@@ -1,5 +1,5 @@
 # figures/tools/shapes.awk, after colour.awk and pack.awk: shapes of a pack in their box, with their images over the sides; of a superellipse
-# a polygon of 96 sides. Options: dx, how far to the right it is drawn; joined=1 if the window has been told; fill and rim, of the first
+# a polygon of 96 sides, or of so many as `nodes` says. Options: dx, how far to the right it is drawn; joined=1 if the window has been told; fill and rim, of the first
 # species and of others, "cfe0f4 0b3f70 f6d9b8 8a4b08"; half: the shapes are seen through, as of penetrable packs.
 BEGIN { pi = 3.14159265358979; if (colours == "") colours = "c4e5f7 0072b2 f6d9b8 8a4b08"; split(colours, ink, " ") }
 # The corners of a species' shape of radius 1 into cx[name, k], cy[name, k]; corners[name].
@@ -13,7 +13,7 @@ function shaped(name, words,   w, k, n, t, c, s, p, a, b, area) {
     for (k = 0; k < n; k++) { cx[name, k] = v[2 * k + 1]; cy[name, k] = v[2 * k + 2] }
     scaled(name, n)
   } else {
-    n = 96; p = 1 / w[3]
+    n = nodes ? nodes : 96; p = 1 / w[3]
     for (k = 0; k < n; k++) {
       t = 2 * pi * (k + 0.5) / n; c = cos(t); s = sin(t)
       cx[name, k] = w[2] * (c < 0 ? -1 : 1) * (c < 0 ? -c : c) ^ p; cy[name, k] = (s < 0 ? -1 : 1) * (s < 0 ? -s : s) ^ p
