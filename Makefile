@@ -189,13 +189,14 @@ $(B)/data/atlas/summary.tsv: $(ATLAS:%=data/atlas/%/record)
 # Speed against error: the operations here, the seconds from their record.
 BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixture py table \
   near motion events engine crm core field gravity coarse dilute shake chain theory \
-  elementary shape overlap apart cover turning compression penetrable points rim dynamics relax touch indicator threepoint flags
-$(B)/data/speed/summary.tsv: tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
+  elementary shape overlap apart cover turning compression penetrable points rim dynamics relax touch indicator threepoint \
+  twopoint covariance raster microstructure ewald share flags
+$(B)/data/speed/summary.tsv: tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h tests/bench_functions.h $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'
 	@$(call TIMED,computed speed) $(B)/bench ops $(@D)
 # Seconds that were recorded with other code, or by another compiler, are printed with a sign that says so; lint refuses
 # them. `make paper FRESH=1` records new ones.
-$(B)/data/seconds/summary.tsv: data/bench-seconds.tsv tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h $(BENCHED:%=$(B)/print/%) $(if $(FRESH),FRESH) | $(B)/bench
+$(B)/data/seconds/summary.tsv: data/bench-seconds.tsv tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h tests/bench_functions.h $(BENCHED:%=$(B)/print/%) $(if $(FRESH),FRESH) | $(B)/bench
 	@[ -z "$(FRESH)" ] || tests/bench.sh
 	@$(B)/bench recorded $< $(@D)
 FRESH: ;
@@ -312,7 +313,7 @@ lint: $(STAMPS) $(INC) $(B)/bench ## form: the web, the warnings, the layout, th
 	@tests/lint '$(WEB)' '$(MODULES)' '$(ENTRIES)'
 mutants: $(STAMPS) $(INC) ## planted errors, each caught by a named test
 	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES) $(ENTRIES)' '$(LIBS)'
-$(B)/bench: tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h $(wildcard tests/ref_*.c) $(OBJECTS)
+$(B)/bench: tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h tests/bench_functions.h $(wildcard tests/ref_*.c) $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) $(if $(DRAFT),-DDRAFT) -I$(B)/c -Itests $< $(wildcard tests/ref_*.c) $(OBJECTS) $(LIBS) -o $@
 bench: $(B)/bench ## speeds on this machine, recorded under data/
 	@tests/bench.sh

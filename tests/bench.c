@@ -2417,6 +2417,7 @@ static void side_seconds(Bench *bench) {
 
 #include "bench_shapes.h"
 #include "bench_threepoint.h"
+#include "bench_functions.h"
 
 /* ------------------------------------------------------------ the tasks */
 typedef struct {
@@ -2493,7 +2494,16 @@ static const Task tasks[] = {
     {"threepoint",
      {"threepoint", "indicator", "shape", "elementary", "simd", "rng", "flags"},
      threepoint_operations,
-     threepoint_seconds}};
+     threepoint_seconds},
+    {"twopoint",
+     {"twopoint", "covariance", "raster", "cover", "shape", "elementary",
+      "simd", "rng", "flags"},
+     NULL,
+     twopoint_seconds},
+    {"microstructure",
+     {"microstructure", "ewald", "share", "raster", "rng", "flags"},
+     NULL,
+     microstructure_seconds}};
 
 static void operations(Bench *bench) {
   char print[COUNT(tasks)][17];

@@ -133,8 +133,29 @@ static void test_law(void) {
   }
 }
 
+/* With species and without, the same segments are thrown, and asked in two ways. */
+static void test_batches(void) {
+  const double side[] = {9, 11, 8};
+  for (int dim = 2; dim <= 3; dim++) {
+    Rng rng = rng_stream(77, (uint64_t)dim, RNG_TEST), again;
+    Shape *shape = dim == 2 ? shape_regular(5) : NULL;
+    Pack *pack = some(dim, 12, 9, shape, side, &rng);
+    again = rng;
+    Twopoint *bits = twopoint_segments(pack, 0.9, 5, false, 10000, &rng), *names = twopoint_segments(pack, 0.9, 5, true, 10000, &again);
+    double most = 0;
+    for (size_t k = 0; k < 5; k++)
+      for (int p = 0; p < 3; p++)
+        most = fmax(most, fabs(bits->S[p][k] - names->S[p][k]));
+    gsl_test(!(most < 1.5e-4), "%d-D: the same segments by bits and by names, %g", dim, most);
+    twopoint_free(&bits);
+    twopoint_free(&names);
+    pack_free(&pack);
+  }
+}
+
 int main(void) {
   test_methods();
+  test_batches();
   test_penetrable();
   test_slope();
   test_law();
