@@ -244,9 +244,12 @@ $(B)/map.tsv: figures/book/map.awk $(WEB) $(STAMPS)
 RECORDED := $(ATLAS) propellant-optimum atlas seconds
 SUMMARIES := $(SCENES:%=$(B)/data/%/summary.tsv) $(DERIVED:%=$(B)/data/%/summary.tsv) \
   $(B)/data/speed/summary.tsv $(B)/data/seconds/summary.tsv $(B)/data/atlas/summary.tsv
-$(B)/paper/values.tex: paper/values.awk $(SUMMARIES)
+# Those that the prose names: all of them are more than TeX has room for.
+$(B)/paper/values.tex: paper/values.awk $(WEB) $(wildcard paper/*.tex) $(SUMMARIES)
 	@mkdir -p $(@D)
-	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(SUMMARIES) > $@
+	@perl -0777 -ne 'while (/\\val(?:only|err)?\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g) { print "$$1\@$$2\n" }' \
+	  $(WEB) $(wildcard paper/*.tex) | sort -u > $(B)/paper/used
+	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(B)/paper/used $(SUMMARIES) > $@
 # Which figures are recorded, and how much in all.
 $(B)/paper/recorded.tex: paper/recorded.awk $(WEB) $(DRAWINGS) $(B)/data/seconds/summary.tsv Makefile
 	@mkdir -p $(@D)

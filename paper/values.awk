@@ -1,4 +1,4 @@
-# paper/values.awk: every number of every build/data/NAME/summary.tsv as LaTeX macros:
+# paper/values.awk: the numbers of build/data/NAME/summary.tsv that the first file lists, NAME@quantity, as LaTeX macros:
 # \val{NAME}{quantity} is value(error), \valonly the value, \valerr the error. Those of the scenes in -v recorded="NAME NAME ..."
 # bear the sign of what is recorded; seconds that belong to other code, another one.
 function digits(x,   e) { # decimals that show two digits of x
@@ -15,9 +15,11 @@ BEGIN {
   FS = "\t"; n = split(recorded, path, " "); for (i = 1; i <= n; i++) sign[path[i]] = "\\recorded"
   print "% written from the summaries of the runs; do not edit"
 }
+NR == FNR { used[$0]; next }
 FNR == 1 { n = split(FILENAME, path, "/"); name = path[n - 1] }
 /^#/ || $1 == "quantity" || NF < 3 { next }
 name == "seconds" && $1 == "other_code" && $2 > 0 { sign[name] = "\\othercode" }
+!(name "@" $1 in used) { next }
 {
   key = name "@" $1; error = $3
   if (error == "nan" || error == "-nan" || error + 0 == 0) { v = plain($2); e = "0"; both = v }
