@@ -60,17 +60,18 @@ $1 == "words" { said = said sprintf("\\put(%s,%s){\\makebox(0,0)%s{%s}}%%\n", n(
 $1 == "disc" { pen($2, 2 * $5 * scale); p = at($3, $4); put(p " m " p " l S"); things++ }
 $1 == "ring" { pen($2, $6); put(circle($3, $4, $5) " S") }
 $1 == "line" { pen($2, $7); put(at($3, $4) " m " at($5, $6) " l S") }
-$1 == "box" { put(rgb($2) " rg " area($3, $4, $5, $6) " f") }
+$1 == "box" { filled = ""; put(rgb($2) " rg " area($3, $4, $5, $6) " f") }
 $1 == "path" {
   pen($3, $4); p = at($5, $6) " m"
   for (i = 7; i < NF; i += 2) p = p " " at($i, $(i + 1)) " l"
-  put(rgb($2) " rg 1 j " p " b"); things++
+  filled = ""; put(rgb($2) " rg 1 j " p " b"); things++
 }
 $1 == "shape" {
   r = $8 * scale; pen($4, $5 / r); c = n(r * $9); t = n(r * $10); m = n(-r * $10)
-  put(rgb($3) " rg q " c " " t " " m " " c " " at($6, $7) " cm/" $2 " Do Q"); things++
+  if ($3 != filled) put(rgb(filled = $3) " rg")
+  put("q " c " " t " " m " " c " " at($6, $7) " cm/" $2 " Do Q"); things++
 }
-$1 == "clip" { put(NF > 1 ? "q " area($2, $3, $4, $5) " W n" : "Q"); ink = nib = "" }
+$1 == "clip" { put(NF > 1 ? "q " area($2, $3, $4, $5) " W n" : "Q"); ink = nib = filled = "" }
 $1 == "ball" { r = n($5 * scale); put("q " r " 0 0 " r " " at($3, $4) " cm/" $2 " Do Q"); things++ }
 END {
   if (!things) { print "paint.awk: nothing is drawn" > "/dev/stderr"; exit 1 }
