@@ -40,7 +40,7 @@ sizes() {
 tell 'two hundred sizes, whatever the order of their lines' sizes
 tell 'the unit is told, by name and value' grep -q '^# unit of length a = 0.967512484, the radius of grain$' "$tmp/p/summary.tsv"
 species() {
-  turned $from/large-small-2.xyz "$tmp/t.xyz" &&
+  turned $from/large-small-2.xyz "$tmp/t.xyz" && sed -i '2s/$/ randpack_species="S:1 L:2"/' "$tmp/t.xyz" &&
     measure a o $from/large-small.xyz $from/large-small-2.xyz && measure b o $from/large-small.xyz "$tmp/t.xyz" && diff -r "$tmp/a" "$tmp/b" &&
     near "$(value nearest "$tmp/a")" 1.19796 && near "$(value min_gap "$tmp/a")" 0.00061469
 }

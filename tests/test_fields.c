@@ -70,8 +70,9 @@ static void test_random(void) {
     strcpy(quoted + n, "\" more=1");
     Fields fields;
     bool twice;
-    wrong += fields_read(&fields, quoted) != NULL || strcmp(fields_find(&fields, "KEY", false, &twice), value) != 0 || twice ||
-             strcmp(fields_find(&fields, "more", true, &twice), "1") != 0;
+    bool bad = fields_read(&fields, quoted) != NULL;
+    const char *key = fields_find(&fields, "KEY", false, &twice), *more = fields_find(&fields, "more", true, &twice);
+    wrong += bad || !key || strcmp(key, value) != 0 || twice || !more || strcmp(more, "1") != 0;
     fields_clear(&fields);
   }
   gsl_test_int(wrong, 0, "any value in quotes comes back");
