@@ -59,11 +59,13 @@ tell 'verdicts are counted by source, and recorded ones bear a sign' counted
 draft() { printf 'B\t\tx\tone@gone\t< 1\t\t\n' > "$tmp/claims"; awk -v draft=1 -f paper/findings.awk "$tmp/claims" "${tables[@]}" | grep -q 'untested.*not in this draft'; }
 tell 'a draft may lack a quantity' draft
 
-signs() { awk -v recorded='kept seconds' -f paper/values.awk "${tables[@]}" "$tmp/seconds/summary.tsv" > "$tmp/values"; }
+printf 'kept@x\none@q\nseconds@rate\n' > "$tmp/used"
+signs() { awk -v recorded='kept seconds' -f paper/values.awk "$tmp/used" "${tables[@]}" "$tmp/seconds/summary.tsv" > "$tmp/values"; }
 seconds() { printf "$head"'other_code\t%s\tnan\nrate\t2.5\t0.1\n' "$1" > "$tmp/seconds/summary.tsv"; signs; }
 own() { seconds 0 && grep -qF 'val@kept@x\endcsname{12.346(79)\recorded}' "$tmp/values" && grep -qF 'val@one@q\endcsname{8.4137(68)}' "$tmp/values" &&
   grep -qF 'only@seconds@rate\endcsname{2.50\recorded}' "$tmp/values"; }
 tell 'a number of a recorded run bears the sign, and no other does' own
+tell 'a number that the prose does not name is not defined' test "$(grep -c csname "$tmp/values")" = 3
 other() { seconds 3 && grep -qF 'val@seconds@rate\endcsname{2.50(10)\othercode}' "$tmp/values" && grep -qF '\recorded}' "$tmp/values"; }
 tell 'seconds of other code bear another sign' other
 printf '# data: one kept\n' > "$tmp/a.gp" && printf '# data: one\n' > "$tmp/b.gp" && printf '# data: one data/bench-seconds.tsv\n' > "$tmp/c.gp"
