@@ -1,7 +1,28 @@
-/* tests/scatter.h: particles at random places and angles. */
+/* tests/scatter.h: packs to test on, at random places and angles or at given ones. */
 #ifndef SCATTER_H
 #define SCATTER_H
 #include "points.h"
+#include <string.h>
+/* All at random places, and shapes at random angles. */
+static inline void scatter(Pack *pack, Rng *rng) {
+  points_scatter(pack, rng);
+  points_turn(pack, rng);
+}
+/* n of one species in a cube or square, at 0; the shape stays the caller's. */
+static inline Pack *pack_of(int dim, double side, size_t n, double radius, const Shape *shape) {
+  Species species = {.name = "P", .radius = radius, .count = n, .shape = (Shape *)shape};
+  Box box = {dim, {side, side, dim == 3 ? side : 0}};
+  return pack_alloc(&box, &species, 1, false);
+}
+/* Balls with radii of their own at these places. */
+static inline Pack *particles(int dim, const double side[3], size_t n, const double *x, const double *radius) {
+  Species species = {.name = "P", .radius = radius[0], .count = n};
+  Box box = {dim, {side[0], side[1], dim == 3 ? side[2] : 0}};
+  Pack *pack = pack_alloc(&box, &species, 1, true);
+  memcpy(pack->x, x, n * (size_t)dim * sizeof *x);
+  memcpy(pack->radius, radius, n * sizeof *radius);
+  return pack;
+}
 /* A pack of these species in this box; their shapes are freed. */
 static inline Pack *scattered(const Box *box, Species species[], int kinds, uint64_t seed) {
   Pack *pack = pack_alloc(box, species, kinds, false);

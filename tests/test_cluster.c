@@ -2,16 +2,11 @@
 #include "cluster.h"
 #include "cover.h"
 #include "many.h"
+#include "scatter.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
 #include <stdlib.h>
 #include <string.h>
-
-static Pack *pack_of(int dim, double side, size_t n, double radius, const Shape *shape) {
-  Species species = {.name = "P", .radius = radius, .count = n, .shape = (Shape *)shape};
-  Box box = {dim, {side, side, dim == 3 ? side : 0}};
-  return pack_alloc(&box, &species, 1, false);
-}
 
 /* Of a square with the edge 1 (r at most sqrt 2). */
 static double square_covariance(double r) {

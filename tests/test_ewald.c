@@ -1,20 +1,12 @@
 /* tests/test_ewald.c: the far sums against the same series term by term, a lattice sum with a closed form, and the shares */
 #include "ewald.h"
+#include "scatter.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_gamma.h>
 #include <gsl/gsl_sf_legendre.h>
 #include <gsl/gsl_test.h>
 #include <stdlib.h>
 #include <string.h>
-
-static Pack *particles(int dim, const double side[3], size_t n, const double *x, const double *radius) {
-  Species species = {.name = "P", .radius = radius[0], .count = n};
-  Box box = {dim, {side[0], side[1], dim == 3 ? side[2] : 0}};
-  Pack *pack = pack_alloc(&box, &species, 1, true);
-  memcpy(pack->x, x, n * (size_t)dim * sizeof *x);
-  memcpy(pack->radius, radius, n * sizeof *radius);
-  return pack;
-}
 
 static void test_shares(void) {
   for (double x = 0.013; x < 40; x *= 2.7) {

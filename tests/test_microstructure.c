@@ -4,6 +4,7 @@
 #include "lattice.h"
 #include "many.h"
 #include "microstructure.h"
+#include "scatter.h"
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_legendre.h>
@@ -12,15 +13,6 @@
 #include <string.h>
 
 /* Particles x, y, (z,) radius in a box. */
-static Pack *particles(int dim, const double side[3], size_t n, const double *x, const double *radius) {
-  Species species = {.name = "P", .radius = radius[0], .count = n};
-  Box box = {dim, {side[0], side[1], dim == 3 ? side[2] : 0}};
-  Pack *pack = pack_alloc(&box, &species, 1, true);
-  memcpy(pack->x, x, n * (size_t)dim * sizeof *x);
-  memcpy(pack->radius, radius, n * sizeof *radius);
-  return pack;
-}
-
 static Microstructure measured(const Pack *pack, double error, double balance, double (*own)[2]) {
   Microstructure found;
   Outcome out = {0};

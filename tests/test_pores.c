@@ -1,24 +1,11 @@
 /* tests/test_pores.c: exclusion probabilities against closed forms, exact against sampled ones, and pores that are hard to measure */
 #include "many.h"
 #include "pores.h"
+#include "scatter.h"
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
 #include <stdlib.h>
-
-static Pack *pack_of(int dim, double side, size_t n, double radius, const Shape *shape) {
-  Species species = {.name = "P", .radius = radius, .count = n, .shape = (Shape *)shape};
-  Box box = {dim, {side, side, dim == 3 ? side : 0}};
-  return pack_alloc(&box, &species, 1, false);
-}
-
-static void scatter(Pack *pack, Rng *rng) {
-  size_t dim = (size_t)pack->box.dim;
-  for (size_t i = 0; i < pack->n * dim; i++)
-    pack->x[i] = pack->box.side[i % dim] * rng_uniform(rng);
-  for (size_t i = 0; pack->angle && i < pack->n; i++)
-    pack->angle[i] = 6.283 * rng_uniform(rng);
-}
 
 /* One disc of radius .7 in a square of side 2: the matrix beyond .7 + r, and its boundary. */
 static double one_disc(double r, void *H) {
