@@ -187,16 +187,17 @@ $(B)/data/atlas/summary.tsv: $(ATLAS:%=data/atlas/%/record)
 	@awk 'BEGIN { print "quantity\tvalue\tstandard_error" } /seconds of the processor: / { n = split(FILENAME, path, "/"); \
 	  printf "seconds@%s\t%.0f\t0\n", path[n - 1], $$NF }' $^ > $@
 # Speed against error: the operations here, the seconds from their record.
+BENCH := $(wildcard tests/bench*.[ch])
 BENCHED := outcome simd box rng pack cells rsa pairs contact partials sizes mixture py table \
   near motion events engine crm core field gravity coarse dilute shake chain theory \
   elementary shape overlap apart cover turning compression penetrable points rim dynamics relax touch indicator threepoint \
   twopoint covariance raster microstructure ewald share flags
-$(B)/data/speed/summary.tsv: tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h tests/bench_functions.h $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
+$(B)/data/speed/summary.tsv: $(BENCH) $(wildcard tests/ref_*) $(BENCHED:%=$(B)/print/%) | $(B)/bench
 	@echo '  compute speed'
 	@$(call TIMED,computed speed) $(B)/bench ops $(@D)
 # Seconds that were recorded with other code, or by another compiler, are printed with a sign that says so; lint refuses
 # them. `make paper FRESH=1` records new ones.
-$(B)/data/seconds/summary.tsv: data/bench-seconds.tsv tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h tests/bench_functions.h $(BENCHED:%=$(B)/print/%) $(if $(FRESH),FRESH) | $(B)/bench
+$(B)/data/seconds/summary.tsv: data/bench-seconds.tsv $(BENCH) $(BENCHED:%=$(B)/print/%) $(if $(FRESH),FRESH) | $(B)/bench
 	@[ -z "$(FRESH)" ] || tests/bench.sh
 	@$(B)/bench recorded $< $(@D)
 FRESH: ;
@@ -231,7 +232,7 @@ $(B)/figures/%.tex: %.gp $(wildcard figures/tools/*)
 	@echo '  draw $*'
 	@mkdir -p $(@D)
 	@figures/tools/draw $< $@ $(if $(DRAFT),|| echo '\fbox{a few packs do not make this figure}' > $@)
-$(B)/figures/%.tex: %.sh $(wildcard figures/tools/*)
+$(B)/figures/%.tex: %.sh $(wildcard figures/tools/* figures/*/*.awk)
 	@echo '  draw $*'
 	@mkdir -p $(@D)
 	@$< > $@
@@ -316,8 +317,8 @@ lint: $(STAMPS) $(INC) $(B)/bench ## form: the web, the warnings, the layout, th
 	@tests/lint '$(WEB)' '$(MODULES)' '$(ENTRIES)'
 mutants: $(STAMPS) $(INC) ## planted errors, each caught by a named test
 	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES) $(ENTRIES)' '$(LIBS)'
-$(B)/bench: tests/bench.c tests/bench_shapes.h tests/bench_threepoint.h tests/bench_functions.h $(wildcard tests/ref_*.c) $(OBJECTS)
-	@$(CC) $(CFLAGS) $(WARNINGS) $(if $(DRAFT),-DDRAFT) -I$(B)/c -Itests $< $(wildcard tests/ref_*.c) $(OBJECTS) $(LIBS) -o $@
+$(B)/bench: $(BENCH) $(wildcard tests/ref_*.c) $(OBJECTS)
+	@$(CC) $(CFLAGS) $(WARNINGS) $(if $(DRAFT),-DDRAFT) -I$(B)/c -Itests tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS) $(LIBS) -o $@
 bench: $(B)/bench ## speeds on this machine, recorded under data/
 	@tests/bench.sh
 

@@ -163,7 +163,7 @@ static void overlap_operations(Bench *bench) {
     draw_bodies(shape, bodies);
     say(bench, overlap_rounding(bodies), 0, "overlap_%s_ours", forms[f].label);
     for (size_t w = 0; w < COUNT(overlap_ways); w++) {
-      size_t pairs = overlap_ways[w].size > 200000 ? 10 : FEW(100);
+      size_t pairs = FEW(overlap_ways[w].size > 200000 ? 10 : 100);
       double error =
           overlap_error(bodies, overlap_ways[w].way, overlap_ways[w].size, pairs);
       if (forms[f].sides && overlap_ways[w].way == BY_MIXED)

@@ -1,4 +1,4 @@
-# figures/tools/contact.awk: pairs of shapes in overlap as bench ops writes them, overlap-pairs.tsv, as rows for paint.awk: the first pair with what it shares, its
+# figures/shapes/contact.awk: pairs of shapes in overlap as bench ops writes them, overlap-pairs.tsv, as rows for paint.awk: the first pair with what it shares, its
 # centroid and the normals; the same with a lattice of points; the second pair with its forces.
 BEGIN { FS = OFS = "\t"; pi = 3.14159265358979; print "window", -1.5, -1.55, 11.3, 2.6; Z = 1 }
 # Panels are drawn Z times as large about (ox, oy), which comes to (px, py).
