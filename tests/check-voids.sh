@@ -22,6 +22,10 @@ density() { near "$(at one/H_V 0.375)" "$(e '0.02 * (1.5 ^ 2 - 1.25 ^ 2) / 0.25'
 tell 'its density, a mean over a bin' density
 pores() { near "$(at one/pores 0.125)" "$(e '0.02 * (1.25 ^ 2 - 1) / 0.25 / 0.98')" 1e-12 && [ "$(awk '!/^#/' "$tmp/one/pores.tsv" | wc -l)" = 9 ]; }
 tell 'the density of pores is of the matrix, and begins at the surface' pores
+steps() { run one coarse --set measure.pores.step=3.0 --set measure.pores.reach=3.0 --set measure.pores.inside=0.0 &&
+  run one narrow --set measure.pores.step=0.01 && [ "$(value pore_mean "$tmp/coarse")" = "$(value pore_mean "$tmp/narrow")" ] &&
+  [ "$(value pore_second "$tmp/coarse")" = "$(value pore_second "$tmp/one")" ]; }
+tell 'the moments of pores do not depend on the step of the tables' steps
 centre() { near "$(at one/E_P 2)" 1 0 && near "$(value centre_gap "$tmp/one")" "$(e 'sqrt(50 * pi) - 1')" 1e-9; }
 tell 'the nearest surface of its centre is that of its image' centre
 sampled() { run one sampled --set measure.pores.method='"sampled"' --set measure.pores.points=200000 &&
