@@ -48,4 +48,14 @@ tell 'the cluster of one disc' alone
 shapes() { run one shapes --set 'species.[0].shape={kind="superellipse"; aspect=50.0; m=1.0;}' --set measure.pores.points=1e6 &&
   [ "$(value alone "$tmp/shapes")" = 1 ] && near "$(at shapes/C2 0)" 0.02 1e-12; }
 tell 'a needle is sampled, without being asked' shapes
+# In a small box the first bins hold a few vectors, of which one mean is the largest by chance.
+cat > "$tmp/small.scene" <<'END'
+dimension = 3; seed = 1; realizations = 1; fraction = 0.2;
+species = ( { radius = 1.0; number = 20; } );
+make = { method = "rsa"; };
+measure = { structure = { reach = 4.0; }; };
+END
+few() { run small small && awk -F'\t' -v told="$(value highest_S "$tmp/small")" -v ka="$(value highest_ka "$tmp/small")" '
+  !/^#/ && $1 != "ka" { most = $2 > most ? $2 : most; found += $1 == ka && $2 == told } END { exit !(found && most > told) }' "$tmp/small/structure.tsv"; }
+tell 'the highest S is of a bin with vectors enough' few
 exit $failed
