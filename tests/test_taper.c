@@ -72,7 +72,7 @@ static void test_plain(int dim) {
    the scatter of packs. */
 static void test_points(int dim, bool falling) {
   enum { BINS = 6 };
-  Species species[] = {{.name = "A", .radius = 0.1, .count = 60}, {.name = "B", .radius = 0.2, .count = 30}};
+  Species species[] = {{.name = "A", .radius = 0.1, .count = falling ? 1500 : 60}, {.name = "B", .radius = 0.2, .count = falling ? 700 : 30}};
   Box box = {dim, {40, 40, dim == 3 ? 40 : 0}};
   Rng rng = rng_stream(342, (uint64_t)(2 * dim + falling), RNG_TEST);
   int packs = as_many(60, 1500);
