@@ -7,7 +7,7 @@
 
 /* A ball at (.5, 2, 3.9) of radius .5 and one wider than its box, across each axis. */
 static void test_cut(void) {
-  double side[3] = {4, 5, 6}, x[3] = {0.5, 2, 3.9}, small = 0.5, wide = 5;
+  double side[3] = {4, 5, 6}, x[3] = {0.5, 2, 3.9}, small = 0.5, wide = 7;
   for (int axis = 0; axis < 3; axis++) {
     Pack *pack = particles(3, side, 1, x, &small);
     Pack *cut = sections_cut(pack, axis, x[axis] + 0.3);
