@@ -174,7 +174,7 @@ static void test_plain(const Box *box, size_t n, double radius, const char *what
   Pack *pack = balls(box, n, radius, 7);
   int dim = box->dim;
   memcpy(pack->x + dim, pack->x, (size_t)dim * sizeof(double)); /* two at one place */
-  double far = 60, in = 0, crossings = 0, u[3] = {0.48, 0.6, 0.64}, pieces = 0;
+  double far = 60, in = 0, u[3] = {0.48, 0.6, 0.64}, pieces = 0;
   if (dim == 2)
     u[0] = 0.6, u[1] = 0.8;
   ChordPlan plan = {.lines = 16, .length = far, .direction = u, .step = 0.1, .bins = BINS, .fraction = GSL_NAN};
@@ -211,7 +211,6 @@ static void test_plain(const Box *box, size_t n, double radius, const char *what
         pieces++;
         in += to - from;
       }
-      crossings += from > 0 && from < far;
       reach = to;
     }
   }
