@@ -350,7 +350,7 @@ static void test_through(void) {
     double bin = contact_first_bin(pack, 1, 0.1);
     for (EdgesHow how = EDGES_MINUS; how <= EDGES_RIPLEY; how++) {
       EdgesView view = {pack, &ball, how, -1, -1};
-      Contact seen = contact_through(&view, 1, 2, 0);
+      Contact seen = contact_through(&view, 1, 0.25, 2, 0);
       gsl_test_rel(unit * seen.value, whole.value, 1e-10, "%d-D: the value through a window", dim);
       gsl_test_rel(unit * seen.error, whole.error, 1e-10, "%d-D: its error through a window", dim);
       gsl_test_rel(seen.window, whole.window, 1e-12, "%d-D: the window of the fit", dim);

@@ -1,0 +1,65 @@
+#!/bin/bash
+# tests/check-windows.sh: packs seen through windows. A sample in its box is what a pack that repeats is when its box is taken for a
+# window; a window beside a core; what does not fit or is not there is refused in one line.
+. tests/tell.sh
+from=tests/foreign
+scene() { # scene NAME WINDOW EDGES: of spheres.xyz and its like
+  cat > "$tmp/$1.scene" <<END
+dimension = 3;
+$2
+measure = { rdf = { step = 0.25; reach = 3.5; $3 }; K = { step = 0.5; reach = 3.5; $3 };
+            partials = { reach = [3.5]; step = 0.25; $3 }; };
+END
+}
+measure() { # measure OUT SCENE PACK
+  rm -rf "${tmp:?}/$1"
+  ends 0 "$randpack" measure "$3" --scene "$tmp/$2.scene" --out "$tmp/$1" && sed -i '/^# \(randpack\|scene\)/d' "$tmp/$1"/*
+}
+near() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a - b < 1e-9 * b && b - a < 1e-9 * b) }' || { echo "$1, not $2"; return 1; }; }
+# The same numbers, of all curves, up to rounding: places have moved.
+alike() {
+  local file
+  for file in "$1"/*.tsv; do
+    [[ $file = */summary.tsv ]] || paste <(grep -v '^#' "$file") <(grep -v '^#' "$2/${file##*/}") | awk -F'\t' 'NR > 1 { for (i = 1; i <= NF / 2; i++)
+      if ($i - $(i + NF / 2) > 1e-9 * ($i + 1) || $(i + NF / 2) - $i > 1e-9 * ($i + 1)) bad = 1 } END { exit bad }' || { echo "$file"; return 1; }
+  done
+}
+sed '2s/$/ pbc="F F F"/; 2s/pbc="T T T"//' $from/spheres.xyz > "$tmp/sample.xyz"
+both() {
+  local edges
+  for edges in minus ripley translation; do
+    scene torus '' "edges = \"$edges\";" && scene sample 'window = {};' "edges = \"$edges\";" || return 1
+    measure torus torus $from/spheres.xyz && measure sample sample "$tmp/sample.xyz" && alike "$tmp/torus" "$tmp/sample" || return 1
+  done
+}
+tell 'the box of a sample, and that of a torus taken for a window' both
+
+# A ball as large as the core is the default of a finite pack with weights.
+core() {
+  local radius
+  radius=$(awk 'NR == 2 { match($0, /Lattice="[0-9.]*/); print 0.6 * substr($0, RSTART + 9, RLENGTH - 9) / 2 }' "$tmp/sample.xyz")
+  scene core '' 'edges = "ripley";' && scene ball "window = { shape = \"ball\"; radius = $radius; };" 'edges = "ripley";' &&
+    sed -i 's/3\.5/2.75/g' "$tmp/core.scene" "$tmp/ball.scene" &&
+    measure core core "$tmp/sample.xyz" && measure ball ball "$tmp/sample.xyz" && alike "$tmp/core" "$tmp/ball"
+}
+tell 'a ball as large as the core' core
+
+# The window's fraction is that of the centres in it.
+fraction() {
+  scene box 'window = { side = 6.0; };' 'edges = "translation";' && measure box box "$tmp/sample.xyz" || return 1
+  near "$(value fraction "$tmp/box")" "$(awk 'NR == 2 { match($0, /Lattice="[0-9.]*/); L = substr($0, RSTART + 9, RLENGTH - 9) }
+    NR > 2 { if (($2 - L / 2) ^ 2 <= 9 && ($3 - L / 2) ^ 2 <= 9 && ($4 - L / 2) ^ 2 <= 9) { sum += $5 ^ 3; n++ } }
+    END { printf "%.12g", sum * 4 / 3 * atan2(0, -1) / 216 }' "$tmp/sample.xyz")"
+}
+tell 'the fraction by the centres in a window' fraction
+
+scene large 'window = { side = 60.0; };' ''
+tell 'a window that is too large' refused 'the window does not lie within the pack; give a smaller one' \
+  "$randpack" measure "$tmp/sample.xyz" --scene "$tmp/large.scene" --out "$tmp/new"
+scene far 'window = { side = 6.0; };' 'edges = "minus";'
+tell 'a window in which no centre is deep enough' refused 'the window of the pack reaches to R = ' \
+  "$randpack" measure "$tmp/sample.xyz" --scene "$tmp/far.scene" --out "$tmp/new"
+scene cut 'window = { shape = "ball"; radius = 3.0; };' 'edges = "ripley";'
+tell 'a window in which a sphere is nowhere inside' refused 'the window allows R up to ' \
+  "$randpack" measure "$tmp/sample.xyz" --scene "$tmp/cut.scene" --out "$tmp/new"
+exit "$failed"
