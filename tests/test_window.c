@@ -208,6 +208,30 @@ static void cylinders(void) {
   gsl_integration_workspace_free(space);
 }
 
+/* Centres that are deep, and random points that are. */
+static void deep(int shape) {
+  Window w = window_of(shape);
+  Box box = {w.dim, {6.2, 4.4, w.dim == 3 ? 9.4 : 0}};
+  Species one[] = {{"A", 0.3, 2000}};
+  Pack *pack = scattered(&box, one, 1, 5);
+  bool is[2000];
+  double depth = 0.4 * window_inner(&w);
+  size_t many = window_within(&w, pack, depth, is), wrong = 0, seen = 0;
+  for (size_t i = 0; i < pack->n; i++) {
+    bool so = window_depth(&w, pack->x + i * (size_t)w.dim) >= depth;
+    wrong += so != is[i];
+    seen += so;
+  }
+  gsl_test(wrong > 0 || seen != many || many == 0, "%s: %zu centres are deep", name[shape], many);
+  Rng rng = rng_stream(6, 0, RNG_TEST);
+  Pack *points = window_points(&w, pack, depth, 500, &rng);
+  for (size_t i = 0; i < points->n; i++)
+    wrong += !(window_depth(&w, points->x + i * (size_t)w.dim) >= depth * (1 - 1e-12));
+  gsl_test(wrong > 0 || points->n != 500, "%s: random points are deep", name[shape]);
+  pack_free(&points);
+  pack_free(&pack);
+}
+
 /* A cut-out has the particles that are inside, their species, and their distances; no image is nearer. */
 static void cuts(int shape) {
   Window w = window_of(shape), moved = w;
@@ -242,6 +266,7 @@ int main(void) {
     points(shape);
     depths(shape);
     cuts(shape);
+    deep(shape);
   }
   limits();
   digits();
