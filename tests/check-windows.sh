@@ -64,6 +64,40 @@ fraction() {
 }
 tell 'the fraction by the centres in a window' fraction
 
+# A slab, whichever way it lies, and as a dump; a sample of the same place, which does not repeat, has fewer pairs.
+turn() { awk -v pbc="$2" 'NR == 2 { sub(/pbc="[^"]*"/, "pbc=\"" pbc "\"") } NR > 2 { x = $2; $2 = $4; $4 = x } { print }' "$1"; }
+slab() {
+  local edges
+  sed '2s/pbc="T T T"/pbc="F T T"/' $from/spheres.xyz > "$tmp/slab.xyz" && turn "$tmp/slab.xyz" 'T T F' > "$tmp/turned.xyz" || return 1
+  { printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n60\nITEM: BOX BOUNDS ff pp pp\n0 10\n-3 7\n0 10\nITEM: ATOMS type x y z radius\n'
+    awk -v OFMT=%.12g 'NR > 2 { print 1, $2, $3 - 3, $4, $5 }' "$tmp/slab.xyz"; } > "$tmp/slab.dump"
+  for edges in minus ripley translation; do
+    scene slab '' "edges = \"$edges\";" && measure slab slab "$tmp/slab.xyz" && measure turned slab "$tmp/turned.xyz" && alike "$tmp/slab" "$tmp/turned" &&
+      scene dump '' "edges = \"$edges\";" && measure dump dump "$tmp/slab.dump" || return 1
+    diff <(grep '^[0-9]' "$tmp/slab/K.tsv" | cut -f1 ) <(grep '^[0-9]' "$tmp/dump/K.tsv" | cut -f1) &&
+      near "$(tail -1 "$tmp/slab/K.tsv" | cut -f2)" "$(tail -1 "$tmp/dump/K.tsv" | cut -f2)" || return 1
+  done
+  scene sample 'window = {};' 'edges = "translation";' && measure sample sample "$tmp/sample.xyz" &&
+    [ "$(value pairs "$tmp/sample")" -lt "$(value pairs "$tmp/slab")" ] && near "$(value fraction "$tmp/slab")" 0.251327412287
+}
+tell 'a slab, turned, and as a dump' slab
+printf 'dimension = 3;\nmeasure = { structure = {}; };\n' > "$tmp/structure.scene"
+tell 'a slab has no structure factor' refused 'structure is not of packs with walls; leave it out' \
+  "$randpack" measure "$tmp/slab.xyz" --scene "$tmp/structure.scene" --out "$tmp/new"
+printf 'dimension = 3;\nmeasure = { K = { edges = "toroidal"; }; };\n' > "$tmp/torus.scene"
+tell 'nor is it a torus' refused 'edges of measure.K are toroidal, and a pack with walls is no torus; give "minus"' \
+  "$randpack" measure "$tmp/slab.xyz" --scene "$tmp/torus.scene" --out "$tmp/new"
+sed '2s/pbc/Origin="-5 0 0" pbc/' "$tmp/slab.xyz" > "$tmp/moved.xyz"
+scene moved '' ''
+tell 'a slab whose box is elsewhere' refused 'of 60 centres lie outside the box of the file; give its Origin' \
+  "$randpack" measure "$tmp/moved.xyz" --scene "$tmp/moved.scene" --out "$tmp/new"
+printf '2\nLattice="8 0 0 0 8 0 0 0 8" Properties=species:S:1:pos:R:3:radius:R:1 pbc="T T F"\nA 1 2 3 1\nA 5 6 %s 1\n' 7 > "$tmp/planes.xyz"
+sed 's/ 7 1$/ 3 1/' "$tmp/planes.xyz" > "$tmp/discs.xyz"
+tell 'discs in space' refused 'has dimension 2; the scene says 3' "$randpack" measure "$tmp/discs.xyz" --scene "$tmp/moved.scene" --out "$tmp/new"
+sed -i 's/dimension = 3/dimension = 2/' "$tmp/moved.scene"
+tell 'discs in two planes' refused 'z is not constant, as it is of discs; a slab in space is read if the scene says dimension = 3' \
+  "$randpack" measure "$tmp/planes.xyz" --scene "$tmp/moved.scene" --out "$tmp/new"
+
 scene large 'window = { side = 60.0; };' ''
 tell 'a window that is too large' refused 'the window does not lie within the pack; give a smaller one' \
   "$randpack" measure "$tmp/sample.xyz" --scene "$tmp/large.scene" --out "$tmp/new"

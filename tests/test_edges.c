@@ -9,14 +9,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SHAPES = 5, BINS = 5 };
-static const char *const name[SHAPES] = {"rectangle", "disc", "box", "ball", "cylinder"};
+enum { SHAPES = 6, BINS = 5 };
+static const char *const name[SHAPES] = {"rectangle", "disc", "box", "ball", "cylinder", "slab"};
 static const char *const how_name[] = {"default", "toroidal", "minus", "ripley", "translation"};
 static Window window_of(int shape) {
   static const Window all[SHAPES] = {
       {WINDOW_BOX, 2, {5, 6}, {5.3, 4.1}, 0, 0, 0},       {WINDOW_BALL, 2, {5, 6}, {0}, 2.6, 0, 0},
       {WINDOW_BOX, 3, {5, 6, 4}, {4.3, 4.1, 3.9}, 0, 0, 0}, {WINDOW_BALL, 3, {5, 6, 4}, {0}, 2.5, 0, 0},
       {WINDOW_CYLINDER, 3, {5, 6, 4}, {0}, 2.3, 4.2, 1},
+      {WINDOW_BOX, 3, {5, 6, 4}, {10, 4.1, 8}, 0, 0, 0, {true, false, true}},
   };
   return all[shape];
 }
@@ -42,7 +43,7 @@ static double slow(const EdgesView *v, double r1, double r2, double *variance) {
       if (v->k >= 0 && !((a == v->k && b == v->m) || (a == v->m && b == v->k)))
         continue;
       for (size_t k = 0; k < dim; k++)
-        r += gsl_pow_2(h[k] = pack->x[j * dim + k] - pack->x[i * dim + k]);
+        r += gsl_pow_2(h[k] = box_nearest(pack->x[j * dim + k] - pack->x[i * dim + k], pack->box.side[k]));
       r = sqrt(r);
       if (!(r >= r1 && r < r2))
         continue;
@@ -111,7 +112,9 @@ static void independent(int shape) {
     for (int p = 0; p < packs; p++) {
       Window window = window_of(shape);
       Rng rng = rng_stream(30, (uint64_t)(p + packs * shape), RNG_TEST);
-      Pack *pack = pack_of(window.dim, 20, 60, 0.1, NULL);
+      Box box = torus(window.dim);
+      Species sixty = {"P", 0.1, 60};
+      Pack *pack = pack_alloc(&box, &sixty, 1, false);
       for (size_t i = 0; i < pack->n; i++)
         window_point(&window, 0, &rng, pack->x + i * (size_t)window.dim);
       Pack *cut = window_cut(pack, &window);

@@ -8,8 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SHAPES = 6 };
-static const char *const name[SHAPES] = {"rectangle", "disc", "box", "ball", "cylinder", "pipe"};
+enum { SHAPES = 8 };
+static const char *const name[SHAPES] = {"rectangle", "disc", "box", "ball", "cylinder", "pipe", "slab", "endless pipe"};
 static Window window_of(int shape) {
   static const Window all[SHAPES] = {
       {WINDOW_BOX, 2, {3.1, 2.2}, {4.3, 2.9}, 0, 0, 0},
@@ -18,6 +18,8 @@ static Window window_of(int shape) {
       {WINDOW_BALL, 3, {3.1, 2.2, 4.7}, {0}, 1.9, 0, 0},
       {WINDOW_CYLINDER, 3, {3.1, 2.2, 4.7}, {0}, 1.9, 2.6, 1},
       {WINDOW_CYLINDER, 3, {3.1, 2.2, 4.7}, {0}, 0.8, 5.3, 2},
+      {WINDOW_BOX, 3, {3.1, 2.2, 4.7}, {6.2, 2.9, 9.4}, 0, 0, 0, {true, false, true}},
+      {WINDOW_CYLINDER, 3, {3.1, 2.2, 4.7}, {0}, 1.9, 9.4, 2, {false, false, true}},
   };
   return all[shape];
 }
@@ -27,6 +29,8 @@ static bool inside(const Window *w, const double x[]) {
   double square = 0;
   for (int k = 0; k < w->dim; k++) {
     double d = fabs(x[k] - w->middle[k]);
+    if (w->wraps[k])
+      continue;
     if (w->shape == WINDOW_BOX && d > w->side[k] / 2)
       return false;
     if (w->shape == WINDOW_CYLINDER && k == w->axis && d > w->height / 2)
@@ -96,7 +100,7 @@ static void points(int shape) {
   gsl_test_rel(v * in / many, window_volume(&w), e, "%s: volume", name[shape]);
   gsl_test_rel(v * both / many, window_overlap(&w, h), 2 * e, "%s: overlap", name[shape]);
   gsl_test_rel(share / many, overlap / many / window_volume(&w), e, "%s: the mean share is the mean overlap", name[shape]);
-  double nowhere[3] = {0, 0, 0}, far[3] = {1.1 * extent[0], 0, 0};
+  double nowhere[3] = {0, 0, 0}, far[3] = {0, 1.1 * extent[1], 0};
   gsl_test_rel(window_overlap(&w, nowhere), window_volume(&w), 1e-14, "%s: all of it overlaps itself", name[shape]);
   gsl_test_abs(window_overlap(&w, far), 0, 0, "%s: nothing overlaps from afar", name[shape]);
 }
@@ -118,6 +122,8 @@ static void depths(int shape) {
     bool cut = false; /* towards the nearest wall */
     for (int k = 0; k < w.dim && w.shape == WINDOW_BOX; k++)
       for (int s = -1; s <= 1; s += 2) {
+        if (w.wraps[k])
+          continue;
         double y[3] = {x[0], x[1], x[2]};
         y[k] += s * out;
         cut |= !inside(&w, y);
@@ -127,7 +133,7 @@ static void depths(int shape) {
   gsl_test_int(shallow, 0, "%s: points that are to be deep are", name[shape]);
   gsl_test_int(wrong, 0, "%s: depths end at the wall", name[shape]);
   gsl_test(!(deepest <= window_inner(&w) && deepest > 0.9 * window_inner(&w)), "%s: the deepest point", name[shape]);
-  x[0] = w.middle[0] + 1.01 * (window_across(&w) + window_outer(&w));
+  x[1] = w.middle[1] + 1.01 * (window_across(&w) + window_outer(&w));
   gsl_test(!(window_depth(&w, x) < 0), "%s: outside the depth is negative", name[shape]);
 }
 
@@ -136,6 +142,11 @@ static void limits(void) {
   for (int shape = 0; shape < SHAPES; shape++) {
     Window w = window_of(shape);
     double x[3] = {w.middle[0], w.middle[1], w.middle[2]}, far = window_outer(&w) * (1 + 1e-9);
+    if (w.wraps[2]) { /* a side of 9.4; of the slab's sphere at half another side a band is inside, 2.9 of 6.2 wide */
+      gsl_test_rel(window_outer(&w), shape == 6 ? 3.1 : 4.7, 1e-15, "%s: images end it", name[shape]);
+      gsl_test_rel(window_share(&w, x, 3.1), shape == 6 ? 2.9 / 6.2 : 1 - sqrt(1 - gsl_pow_2(1.9 / 3.1)), 1e-6, "%s: some is inside", name[shape]);
+      continue;
+    }
     gsl_test_rel(window_share(&w, x, 1e-12), 1, 1e-14, "%s: small spheres are whole", name[shape]);
     gsl_test_abs(window_share(&w, x, far), 0, 1e-12, "%s: beyond all walls is nothing", name[shape]);
     if (w.shape != WINDOW_BOX)
@@ -247,7 +258,7 @@ static void cuts(int shape) {
       for (size_t k = 0; k < dim; k++) {
         double there = cut->x[n * dim + k] - moved.middle[k];
         off += fabs(there - (pack->x[i * dim + k] - w.middle[k])) > 1e-12;
-        near += !(fabs(there) * 4 < cut->box.side[k]);
+        near += w.wraps[k] ? cut->box.side[k] != box.side[k] : !(fabs(there) * 4 < cut->box.side[k]);
       }
     first += pack->kind[i] == 0;
     n++;
