@@ -1,4 +1,4 @@
-# from: edges-torus/{K,rdf}.tsv edges-{points,beads}/{K,rdf}@*.tsv edges-torus/summary.tsv edges-{points,beads}/summary.tsv edges-shapes-torus/{K,summary}.tsv edges-shapes/K@*.tsv edges-shapes/summary.tsv
+# from: edges-torus/{K,rdf}.tsv edges-points/{K,rdf}@*.tsv edges-beads/{K,rdf}@*.tsv edges-torus/summary.tsv edges-points/summary.tsv edges-beads/summary.tsv edges-shapes-torus/{K,summary}.tsv edges-shapes/K@*.tsv edges-shapes/summary.tsv
 # edges-read.awk: what windows make of K, of g and of the contact value, by what is true: of points known, of beads that of the tori.
 # Q_bias@PACKS@SIDE@EDGES: the mean over packs by the truth, less 1; Q_sd: the standard deviation of one pack by the truth. Q is K at
 # R = 3, g (the mean over the bin that ends there), contact or first (the bin 2 to 2.01). law@Q@EDGES: the mean of sd sqrt(N) over
