@@ -67,6 +67,8 @@ static void test_tables(void) {
   static const char *const same[] = {"1 2 3 .5\n4 5 6 1\n",
                                      "# x y z r\n\n1\t2\t3\t.5\n4\t5\t6\t1\n! end\n",
                                      "x,y,z,radius\n1,2,3,0.5\n4,5,6,1\n",
+                                     "# a pack\r# radius; x; y; z\r# in mm\r.5 1 2 3\r\r1 4 5 6",
+                                     "!x,z,y,D\r\n1\t3\t2\t1.0\n4\t6\t5\t2\n",
                                      "\"Z [mm]\"; \"X [mm]\"; \"Y [mm]\"; \"Diameter [mm]\"; Type\r\n3;1;2;1;A\r\n6;4;5;2;A\r\n",
                                      "// of a spreadsheet\nid, Radius , X,Y,Z , note\n7, .5 , 1,2,3, a b\n8,1,4,5,6,\n"};
   static const Box box = {3, {10, 11, 12}};
@@ -89,6 +91,17 @@ static void test_tables(void) {
   pack_free(&pack);
   pack = get("1 2 3\n4 5 6\n", &balls, &out);
   gsl_test(!pack || pack->box.dim != 3 || pack->species->radius != 0.5, "x, y, z in space, with a known radius (%s)", out.text);
+  pack_free(&pack);
+  static const Species unnamed = {.name = "1", .radius = 0.25};
+  static const GatherKnown one = {3, &unnamed, 1};
+  pack = get("x y z name\n1 2 3 Al\n4 5 6 Si\n", &one, &out);
+  gsl_test(!pack || pack->kinds != 2 || pack->species[1].radius != 0.25, "a radius without a name is of all (%s)", out.text);
+  pack_free(&pack);
+  pack = get("2\n\n1.5 2 3 4\n5.5 6 7 8\n", &balls, &out);
+  gsl_test(pack || !strstr(out.text, ":3: a species that is a number with decimals"), "a table below its number of lines (%s)", out.text);
+  pack_free(&pack);
+  pack = get("2\n\n6 2 3 4\n14 6 7 8\n", &balls, &out);
+  gsl_test(!pack || pack->kinds != 2 || strcmp(pack->species[1].name, "14") != 0, "elements by their number (%s)", out.text);
   pack_free(&pack);
   pack = get("1 2\n4 5\n", &discs, &out);
   gsl_test(!pack || pack->n != 2 || pack->species->radius != 0.5, "x, y in the plane (%s)", out.text);
@@ -115,7 +128,7 @@ static void test_compressed(void) {
     fclose(file);
     out = (Outcome){0};
     pack = files_read(path, NULL, &out);
-    gsl_test(pack || out.status != WRONG || !strchr(out.text, ';'), "cut after %zu bytes: %s", cut, out.text);
+    gsl_test(pack || out.status != WRONG || !strstr(out.text, "pack it again"), "cut after %zu bytes: %s", cut, out.text);
     pack_free(&pack);
   }
   out = (Outcome){0};
@@ -137,6 +150,47 @@ static void test_lines(void) {
   gsl_test(!lines_next(&lines) || *lines.line || !lines_next(&lines) || strcmp(lines.line, "end") != 0, "an empty one, and one without an end");
   gsl_test(lines_next(&lines) || lines_next(&lines) || lines.number != 4 || out.status, "the end, and the end");
   lines_close(&lines);
+  static const char odd[] = "\r\r\n\na\rb\r";
+  char flat[16] = "";
+  put(odd);
+  lines_open(&lines, path, &out);
+  for (int k = 0; k < 2; k++) {
+    lines_keep(&lines);
+    while (lines_next(&lines))
+      strcat(strcat(flat, lines.line), ";");
+    lines_back(&lines);
+  }
+  gsl_test(strcmp(flat, ";;;a;b;;;;a;b;") != 0 || out.status, "the ends of lines of every system, twice: %s", flat);
+  lines_close(&lines);
+}
+
+/* Ends of lines where a part of the file ends, and bytes of zero. */
+static void test_bytes(void) {
+  int wrong = 0;
+  for (int n = 65533; n < 65540; n++) {
+    Outcome out = {0};
+    Lines lines;
+    FILE *file = fopen(path, "w");
+    for (int k = 0; k < n; k++)
+      fputc('x', file);
+    fputs("\r\ny\n", file);
+    fclose(file);
+    lines_open(&lines, path, &out);
+    wrong += !lines_next(&lines) || strlen(lines.line) != (size_t)n || !lines_next(&lines) || strcmp(lines.line, "y") != 0 || lines_next(&lines);
+    lines_close(&lines);
+  }
+  gsl_test_int(wrong, 0, "a return and a newline in two parts of a file");
+  for (int at = 0; at < 12; at++) {
+    char text[] = "1 2 3 1\n4 5 6 1\n";
+    Outcome out = {0};
+    FILE *file = fopen(path, "w");
+    text[at] = '\0';
+    fwrite(text, 1, sizeof text - 1, file);
+    fclose(file);
+    Pack *pack = files_read(path, &space, &out);
+    gsl_test(pack || !strstr(out.text, at < 8 ? ":1: a byte of zero; " : ":2: a byte of zero; "), "a byte of zero at %d: %s", at, out.text);
+    pack_free(&pack);
+  }
 }
 
 static void test_errors(void) {
@@ -144,14 +198,20 @@ static void test_errors(void) {
     const char *text, *where, *what;
   } wrong[] = {
       {DUMP "pp pp ff\n-5 5\n-5 5\n-5 5\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":9:", "in some directions only"},
-      {DUMP "xy xz yz pp pp pp\n-5 5 1\n-5 5 0\n-5 5 0\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":6:", "tilted"},
+      {DUMP "xy xz yz pp pp pp\n-5 5 1\n-5 5 0\n-5 5 0\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":6:", "84.29 degrees between its first two"},
       {DUMP CUBE "ITEM: ATOMS x y z\n0 0 0\n1 1 1\n", ":9:", "no radii"},
       {DUMP CUBE "ITEM: ATOMS x z radius\n0 0 1\n1 1 1\n", ":9:", "no positions"},
       {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n", ":11:", "ends here"},
-      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1\n", ":11:", "another number of words"},
-      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 q 1\n", ":11:", "cannot be read"},
+      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1\n", ":11:", "3 words, and ITEM: ATOMS tells 4 columns"},
+      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 q 1\n", ":11:", "q is not a number"},
       {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 0\n", ":11:", "not above 0"},
       {DUMP CUBE, ":9:", "particles are missing"},
+      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n2 2 2 1\n", ":12:", "more lines than particles"},
+      {DUMP "\n-5 5\n-5 5\n-5 5\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":5:", "does not say whether it is periodic"},
+      {DUMP "xy xz yz pp pp pp\n-5 5 0\n-5 6 2\n-5 5 1\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":7:", "78.74 degrees between its first and third"},
+      {DUMP "abc origin pp pp pp\n-1 10 0 0\n0 10 0 0\n0 0 10 0\n", ":6:", "no bounds"},
+      {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1.5\n", ":4:", "no number"},
+      {"ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS " CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n", ":7:", "no number of particles before"},
       {DUMP "pp pp pp\n5 -5\n", ":6:", "no bounds"},
       {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\nx\n", ":4:", "no number"},
       {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z radius\n0 0 0 1\n", ":5:", "no box before"},
@@ -163,6 +223,11 @@ static void test_errors(void) {
       {"x y z r\n1 2 nan 1\n", ":2:", "not finite"},
       {"x y z\n1 2 3\n", ":1:", "no radii"},
       {"hello\n", ":1:", "not a pack"},
+      {"# radius x y z of balls\n1 2 3 1\n", ":2:", "4 words in this line, and 6 in the comment"},
+      {"1,5 2,5 3,5 0,5\n", ":1:", "a decimal point"},
+      {"1,5\t2,5\t3,5\t0,5\n", ":1:", "a decimal point"},
+      {"1,5;2,5;3,5;0,5\n", ":1:", "a decimal point"},
+      {"1, 2, 3\n", ":1:", "not a pack"},
       {"x,y,z,r,name\n1,2,3,1,\n", ":2:", "not a name"}};
   Outcome out;
   for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
@@ -179,6 +244,7 @@ int main(void) {
   test_tables();
   test_compressed();
   test_lines();
+  test_bytes();
   test_errors();
   remove(path);
   return gsl_test_summary();

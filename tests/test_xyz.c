@@ -98,7 +98,7 @@ static void round_trip(int dim, const Species species[], int kinds, bool own, co
 
 static void test_round_trips(void) {
   static const Species one[] = {{"sphere", 0.1, 211}};
-  static const Species many[] = {{"AP", 1.0 / 3, 70}, {"an-odd_name.with:31~characters!", 1e-30, 90}, {"7", 2e17, 40}};
+  static const Species many[] = {{"AP", 1.0 / 3, 70}, {"an-odd_name.with:31~characters!", 1e-30, 90}, {"\"7\\[=", 2e17, 40}};
   for (int dim = 2; dim <= 3; dim++) {
     round_trip(dim, one, 1, false, "one species");
     round_trip(dim, many, 3, false, "three species");
@@ -125,7 +125,7 @@ static Shape *some_polygon(Rng *rng, int n) {
 
 static void test_shapes(void) {
   Rng rng = rng_stream(12, 0, RNG_TEST);
-  Species kinds[] = {{"P", 2.5, 40, shape_regular(5)},      {"a=b", 0.1, 30, shape_superellipse(1.5, 1.5)},
+  Species kinds[] = {{"P]\"\\", 2.5, 40, shape_regular(5)},      {"a=b\"\\", 0.1, 30, shape_superellipse(1.5, 1.5)},
                      {"a", 1.0 / 3, 50, some_polygon(&rng, 7)}, {"disc", 1e-3, 11, NULL},
                      {"rhombus", 7, 3, shape_superellipse(1.7, 0.5)}, {"needle", 1, 9, shape_superellipse(0.02, 50)}};
   round_trip(2, kinds, 1, false, "pentagons");
@@ -367,7 +367,19 @@ static void test_errors(void) {
       {"1\n" HEAD FINITE " Origin=\"1 2 inf\"\nA 1 2 3 1\n", ":2:", "not a point"},
       {"1\n" HEAD FINITE " dimension=4\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
       {"1\n" HEAD FINITE " dimension=two\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
-      {"1\n" HEAD FINITE "\nA 1 2 1e308 1\n", ":3:", "too wide"},
+      {"1\n" HEAD FINITE "\nA 1 2 1e308 1\n", ":3:", "a position is beyond 1e50"},
+      {"1\n" HEAD "\nA 1 2 1e11 1\n", ":3:", "1e9 boxes away"},
+      {"1\n" HEAD "\nA 1 2 3 1e60\n", ":3:", "a radius is not from"},
+      {"1\n" HEAD "\nA 1 2 3 1e-60\n", ":3:", "a radius is not from"},
+      {"1\nLattice=\"1e60 0 0 0 1e60 0 0 0 1e60\" Properties=pos:R:3:radius:R:1\n1 2 3 1\n", ":2:", "a side of the box is not from"},
+      {"1\nProperties=pos:R:3:radius:R:1\n1e30 2 3 1\n", ":3:", "too far from 0"},
+      {"3\n" HEAD " pbc=\"T T F\"\nA 1 2 6e-7 1\nA 1 4 0 1\nA 1 6 -6e-7 1\n", ":5:", "z is not constant"},
+      {"3\n" HEAD " pbc=\"T T F\"\nA 1 4 0 1\nA 1 2 6e-7 1\nA 1 6 -6e-7 1\n", ":5:", "z is not constant"},
+      {"1\n" HEAD ":v:R\nA 1 2 3 1\n", ":2:", "without a number of columns"},
+      {"1\n" HEAD ":v:R:2x\nA 1 2 3 1\n", ":2:", "without a number of columns"},
+      {"1\n" HEAD ":v:R:9996\nA 1 2 3 1\n", ":2:", "without a number of columns"},
+      {"1\n" HEAD " randpack_species=\"A:1 A:2\"\nA 1 2 3 1\n", ":2:", "told twice"},
+      {"1\na=] " HEAD " b=[\nA 1 2 3 1\n", ":2:", "a bracket without its partner"},
       {"1\n" SHAPED "\nA 1 2 0 1 inf\n", ":3:", "an angle is not finite"},
       {"1\n" SHAPED "\nA 1 2 0 1 x\n", ":3:", "not a number"},
       {"2\n" FLAT "\nA 1 2 0 1 0\nA 1 2 0 1 0\n", ":2:", "angles without a shape"},
