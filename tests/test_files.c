@@ -193,12 +193,43 @@ static void test_bytes(void) {
   }
 }
 
+#define HEADER "written by hand\n\n3 atoms\n2 atom types # two\n\n-5 5 xlo xhi\n-5 5 ylo yhi\n-5 5 zlo zhi\n"
+
+/* Data files of LAMMPS: the same three balls in every style that tells sizes. */
+static void test_data(void) {
+  static const char *const same[] = {
+      HEADER "\nMasses\n\n1 1\n2 1 # Atoms\n\nAtoms # sphere\n\n3 1 2 1 0 0 0\n1 2 1.0 1 3 0 4.5 1 0 -1 # far\n2 1 2 1 13 -6 1d0\n\nVelocities\n\n1 0 0 0 0 0 0\n",
+      HEADER "0 0 0.0 xy xz yz\n\nAtoms  # bpm/sphere\n\n3 7 1 2 1 0 0 0 0 0 0\n2 7 1 2 1 3 4 1 0 0 0\n1 7 2 1 1 3 0 4.5 0 0 0\n",
+      HEADER "2 ellipsoids\n\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n2 2 2 2 1 0 0 0\n3 2 2 2 1 0 0 0\n\n"};
+  Outcome out;
+  for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
+    Pack *pack = get(same[k], &space, &out);
+    gsl_test(!pack || pack->n != 3 || pack->kinds != 2 || pack->open > 0 || pack->box.side[2] != 10 || pack->radius, "data file %zu: %s", k, out.text);
+    gsl_test(!pack || pack->species[0].radius != 1 || pack->species[0].count != 2 || pack->species[1].radius != 0.5 || strcmp(pack->species[1].name, "2") != 0,
+             "data file %zu: radii of the types", k);
+    double at[3] = {0, 0, 0};
+    for (size_t i = 0; pack && i < 3; i++)
+      for (int c = 0; c < 3; c++)
+        at[c] += (double)(pack_kind(pack, i) + 1) * pack->x[3 * i + (size_t)c];
+    gsl_test(fabs(at[0] - 29) + fabs(at[1] - 24) + fabs(at[2] - 30) > 1e-13, "data file %zu: places from the corner (%g %g %g)", k, at[0], at[1], at[2]);
+    pack_free(&pack);
+  }
+  Pack *pack = get(HEADER "\nAtoms\n\n1 1 0 0 0\n2 1 3 0 0\n3 1 0 3 0\n", &balls, &out);
+  gsl_test(!pack || pack->kinds != 1 || pack->species->radius != 0.5, "points with a known radius (%s)", out.text);
+  pack_free(&pack);
+  pack = get(HEADER "\nAtoms\n\n1 1 1 1 0 0 0\n2 1 1 1 3 0 0\n3 1 1 1 0 3 0\n", &balls, &out);
+  gsl_test(pack || !strstr(out.text, ":12: a section Atoms that names no style"), "seven words could be a sphere or an ellipsoid (%s)", out.text);
+  pack = get("of discs\n\n1 atoms\n0 8 xlo xhi\n0 9 ylo yhi\nAtoms # charge\n\n1 1 -1 7 8 0.0\n", &discs, &out);
+  gsl_test(!pack || pack->box.dim != 2 || pack->box.side[1] != 9 || pack->x[1] != 8, "discs, where z may be left out (%s)", out.text);
+  pack_free(&pack);
+}
+
 static void test_errors(void) {
   static const struct {
     const char *text, *where, *what;
   } wrong[] = {
       {DUMP "pp pp ff\n-5 5\n-5 5\n-5 5\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":9:", "in some directions only"},
-      {DUMP "xy xz yz pp pp pp\n-5 5 1\n-5 5 0\n-5 5 0\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":6:", "84.29 degrees between its first two"},
+      {DUMP "xy xz yz pp pp pp\n-5 5 1\n-5 5 0\n-5 5 0\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":8:", "84.29 degrees between its first two"},
       {DUMP CUBE "ITEM: ATOMS x y z\n0 0 0\n1 1 1\n", ":9:", "no radii"},
       {DUMP CUBE "ITEM: ATOMS x z radius\n0 0 1\n1 1 1\n", ":9:", "no positions"},
       {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n", ":11:", "ends here"},
@@ -208,13 +239,33 @@ static void test_errors(void) {
       {DUMP CUBE, ":9:", "particles are missing"},
       {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n2 2 2 1\n", ":12:", "more lines than particles"},
       {DUMP "\n-5 5\n-5 5\n-5 5\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":5:", "does not say whether it is periodic"},
-      {DUMP "xy xz yz pp pp pp\n-5 5 0\n-5 6 2\n-5 5 1\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":7:", "78.74 degrees between its first and third"},
+      {DUMP "xy xz yz pp pp pp\n-5 5 0\n-5 6 2\n-5 5 1\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":8:", "78.74 degrees between its first and third"},
       {DUMP "abc origin pp pp pp\n-1 10 0 0\n0 10 0 0\n0 0 10 0\n", ":6:", "no bounds"},
       {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1.5\n", ":4:", "no number"},
       {"ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS " CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n", ":7:", "no number of particles before"},
       {DUMP "pp pp pp\n5 -5\n", ":6:", "no bounds"},
       {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\nx\n", ":4:", "no number"},
       {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z radius\n0 0 0 1\n", ":5:", "no box before"},
+      {HEADER "\nAtoms # sphere\n\n1 1 1 1 0 0 0\n2 1 1 1 1 1 1\n", ":14:", "the file ends here"},
+      {HEADER "\nAtoms # sphere\n\n1 1 1 1 0 0 0\n2 1 1 1 1 1 1\n3 1 1 1 1 1 x\n", ":14:", "x is not a number"},
+      {HEADER "\nAtoms # sphere\n\n1 1 1 1 0 0 0\n2 1 1 1 1 1 1\n3 1 0 1 1 1 2\n", ":14:", "not above 0"},
+      {HEADER "\nAtoms # sphere\n\n1 1 1 1 0 0 0\n2 1 1 1 1 1 1\n3 1 -1 1 1 1 2\n", ":14:", "not above 0"},
+      {HEADER "\nAtoms # sphere\n\n1 1 1 1 0 0 0\n2 1 1 1 1 1 1 0\n", ":13:", "8 words, and the style has 7"},
+      {HEADER "\nAtoms # sphere\n\n1 1 1 1 0 0 0\n2 1 1 1 1 1 1\n3 1 1 1 1 1 2\n\n4 1 1 1 2 2 2\n", ":16:", "more lines than particles"},
+      {HEADER "\nAtoms\n\n1 1 1 1 0 0 0\n2 1 1 1 1 1 1\n3 1 1 1 1 1 2\n", ":10:", "no radii"},
+      {HEADER "\nAtoms # dipole\n\n", ":10:", "particles of the style dipole"},
+      {HEADER "\nAtoms # atomic\n\n", ":10:", "no radii"},
+      {HEADER "\nMasses\n\n1 1\n", ":13:", "the section Atoms is missing"},
+      {HEADER "5 0 0 xy xz yz\n\nAtoms # sphere\n", ":9:", "63.43 degrees between its first two"},
+      {HEADER "10 0 0 avec\n", ":9:", "any three vectors"},
+      {HEADER "3 bodies\n", ":9:", "no balls"},
+      {HEADER "2 1 xlo xhi\n", ":9:", "no bounds"},
+      {"LAMMPS\n1e30 atoms\n", ":2:", "no number of particles"},
+      {"LAMMPS\n1 atoms\n0 1 xlo xhi\n\nAtoms # sphere\n\n", ":4:", "ends without a box"},
+      {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n1 1 2 1 1 0 0 0\n", ":18:", "an ellipsoid that is no ball"},
+      {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n", ":14:", "an ellipsoid without axes"},
+      {HEADER "\nAtoms # ellipsoid\n\n3 1 0 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n3 1 1 1 1 0 0 0\n", ":18:", "no ellipsoid"},
+      {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n1 1 1 1 3 4 1\n\nEllipsoids\n\n", ":16:", "two particles of one number"},
       {"1 2 3\n4 5 6\n", ":1:", "not a pack"},
       {"1 2 3 1\n4 5 6\n", ":2:", "3 words in this line, and 4 in the first"},
       {"1 2 3 1\n4 5 6,5 1\n", ":2:", "a decimal point"},
@@ -242,6 +293,7 @@ int main(void) {
   close(mkstemp(path));
   test_dumps();
   test_tables();
+  test_data();
   test_compressed();
   test_lines();
   test_bytes();
