@@ -25,6 +25,7 @@ static Pack *get(const char *text, const GatherKnown *known, Outcome *out) {
 }
 
 #define DUMP "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS "
+#define HEADER "written by hand\n\n3 atoms\n2 atom types # two\n\n-5 5 xlo xhi\n-5 5 ylo yhi\n-5 5 zlo zhi\n"
 #define CUBE "pp pp pp\n-5 5\n-5 5\n-5 5\n"
 
 static void test_dumps(void) {
@@ -106,6 +107,35 @@ static void test_tables(void) {
   pack = get("1 2\n4 5\n", &discs, &out);
   gsl_test(!pack || pack->n != 2 || pack->species->radius != 0.5, "x, y in the plane (%s)", out.text);
   pack_free(&pack);
+}
+
+/* One radius for all by the fraction: of balls, of discs, of a finite sample; not of some particles. */
+static void test_estimate(void) {
+  static const GatherKnown third = {3, NULL, 0, 1. / 3}, flat = {2, NULL, 0, 0.25};
+  static const Box box = {3, {2, 3, 4}};
+  const char *sample = "2\nLattice=\"2 0 0 0 3 0 0 0 4\" pbc=\"F F F\" Properties=pos:R:3\n1 1 1\n1 2 3\n";
+  double ball = cbrt(24. / 3 / 2 / (4 * M_PI / 3));
+  Outcome out;
+  Pack *pack = get(sample, &third, &out);
+  gsl_test(!pack || pack->radius || fabs(pack->species->radius - ball) > 1e-15 || !pack->species->guessed || !(pack->open > 0), "of a finite sample (%s)", out.text);
+  pack_free(&pack);
+  put("1 1 1\n1 2 3\n");
+  PackFile file;
+  files_open(&file, path, &third, &box, &out);
+  pack = files_next(&file);
+  gsl_test(!pack || fabs(pack->species->radius - ball) > 1e-15 || fabs(pack_fraction(pack) - 1. / 3) > 1e-15, "of a table in a box (%s)", out.text);
+  pack_free(&pack);
+  files_close(&file);
+  pack = get(DUMP CUBE "ITEM: ATOMS type x y\n1 0 0\n2 2 2\n", &flat, &out);
+  gsl_test(!pack || pack->kinds != 2 || fabs(pack->species[1].radius - sqrt(25 / M_PI / 2)) > 1e-15, "of discs in a dump (%s)", out.text);
+  pack_free(&pack);
+  pack = get(DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n2 2 2 1\n", &third, &out);
+  gsl_test(!pack || pack->species->radius != 1 || pack->species->guessed, "a radius that is told is not estimated (%s)", out.text);
+  pack_free(&pack);
+  pack = get("1 1 1\n1 2 3\n", &third, &out);
+  gsl_test(pack || !strstr(out.text, "no box to estimate them from; "), "no box: %s", out.text);
+  pack = get(HEADER "\nAtoms # ellipsoid\n\n3 1 0 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n2 1 1 1 1 0 0 0\n", &third, &out);
+  gsl_test(pack || !strstr(out.text, "radii of some particles only; "), "some radii: %s", out.text);
 }
 
 /* The same bytes, by gzip; and cut short. */
@@ -192,8 +222,6 @@ static void test_bytes(void) {
     pack_free(&pack);
   }
 }
-
-#define HEADER "written by hand\n\n3 atoms\n2 atom types # two\n\n-5 5 xlo xhi\n-5 5 ylo yhi\n-5 5 zlo zhi\n"
 
 /* Data files of LAMMPS: the same three balls in every style that tells sizes. */
 static void test_data(void) {
@@ -294,6 +322,7 @@ int main(void) {
   test_dumps();
   test_tables();
   test_data();
+  test_estimate();
   test_compressed();
   test_lines();
   test_bytes();

@@ -178,7 +178,7 @@ static void test_viewers(void) {
   for (int l = 0; l < 5; l++)
     gsl_test(!fgets(line[l], sizeof line[l], file), "line %d is there", l + 1);
   fclose(file);
-  gsl_test(!strstr(line[1], "radius:R:1:angle:R:1:orientation:R:4:aspherical_shape:R:3:superquadric_roundness:R:2 pbc=\"T T F\" "
+  gsl_test(!strstr(line[1], " Properties=type:S:1:pos:R:3:radius:R:1:angle:R:1:orientation:R:4:aspherical_shape:R:3:superquadric_roundness:R:2 pbc=\"T T F\" "
                             "shape_S=\"superellipse:1.5:1.25\" shape_P=\"polygon:4\" randpack_species=\"S:2.5 P:1.5 D:1\"\n"), "columns and shapes: %s", line[1]);
   snprintf(wanted, sizeof wanted, " 0 0 0.5 0.866025404 %.9g %.9g 2.5 0.8 1\n", 2.5 * kinds[0].shape->a, 2.5 * kinds[0].shape->b);
   gsl_test(!strstr(line[2], wanted), "a superellipse turned by a third of pi: %s", line[2]);
