@@ -69,6 +69,15 @@ frames() {
 }
 tell 'two packs in one file' frames
 
+# Names that are an index: what is told of each is told, but not of each pair.
+index() {
+  awk 'NR > 2 { $1 = NR - 2 } { print }' $from/sizes.xyz > "$tmp/index.xyz" && measure i p "$tmp/index.xyz" &&
+    near "$(value nearest "$tmp/i")" "$(awk -v a="$(awk 'NR == 3 { print $NF }' $from/sizes.xyz)" -v n="$(value nearest "$tmp/p")" 'BEGIN { printf "%.9g", n * .967512484 / a }')"
+}
+tell 'two hundred names' index
+tell 'have too many pairs' refused 'o.scene:2: measure.partials is of pairs of species, and 200 species have too many; at most 20 species' \
+  "$randpack" measure "$tmp/index.xyz" --scene "$tmp/o.scene" --out "$tmp/new"
+
 # Radii that the file does not tell; a unit that the scene says.
 bare() {
   sed '2s/:radius:R:1//; 3,$s/ [^ ]*$//' $from/spheres.xyz > "$tmp/bare.xyz"
