@@ -18,7 +18,7 @@ survive() {
   "$tmp/fuzz" -max_total_time="$seconds" -max_len=4096 -malloc_limit_mb=100 -rss_limit_mb=2000 -timeout=10 -seed=1 -dict=tests/fuzz/words \
     -artifact_prefix="$tmp/" -print_final_stats=1 "$tmp/corpus" tests/fuzz > "$tmp/log" 2>&1 && return
   grep -v '^#' "$tmp/log" | head -40
-  for f in "$tmp"/{crash,oom,timeout,leak}-*; do [ -e "$f" ] && base64 -w 0 "$f" | cut -c1-4000 && echo && cp "$f" /tmp/; done
+  for f in "$tmp"/{crash,oom,timeout,leak}-*; do [ -e "$f" ] && base64 -w 0 "$f" | cut -c1-4000 && echo && cp "$f" build/; done
   return 1
 }
 tell "whatever bytes a file has, for $seconds s" survive

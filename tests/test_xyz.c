@@ -377,6 +377,7 @@ static void test_errors(void) {
       {"3\n" HEAD " pbc=\"T T F\"\nA 1 4 0 1\nA 1 2 6e-7 1\nA 1 6 -6e-7 1\n", ":5:", "z is not constant"},
       {"1\n" HEAD ":v:R\nA 1 2 3 1\n", ":2:", "without a number of columns"},
       {"1\n" HEAD ":v:R:2x\nA 1 2 3 1\n", ":2:", "without a number of columns"},
+      {"1\n" HEAD ":v:R:9223372036854775807\nA 1 2 3 1\n", ":2:", "without a number of columns"},
       {"1\n" HEAD ":v:R:9996\nA 1 2 3 1\n", ":2:", "without a number of columns"},
       {"1\n" HEAD " randpack_species=\"A:1 A:2\"\nA 1 2 3 1\n", ":2:", "told twice"},
       {"1\na=] " HEAD " b=[\nA 1 2 3 1\n", ":2:", "a bracket without its partner"},
