@@ -304,6 +304,7 @@ $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
 # The same programs of the plain build.
 $(B)/obj/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
+	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 $(B)/unit/%: tests/test_%.c $(OBJECTS) $(REFERENCES:tests/%.c=$(B)/obj/%.o) $(wildcard tests/*.h)
 	@mkdir -p $(@D)

@@ -22,6 +22,10 @@ density() { near "$(at one/H_V 0.375)" "$(e '0.02 * (1.5 ^ 2 - 1.25 ^ 2) / 0.25'
 tell 'its density, a mean over a bin' density
 pores() { near "$(at one/pores 0.125)" "$(e '0.02 * (1.25 ^ 2 - 1) / 0.25 / 0.98')" 1e-12 && [ "$(awk '!/^#/' "$tmp/one/pores.tsv" | wc -l)" = 9 ]; }
 tell 'the density of pores is of the matrix, and begins at the surface' pores
+steps() { run one coarse --set measure.pores.step=3.0 --set measure.pores.reach=3.0 --set measure.pores.inside=0.0 &&
+  run one narrow --set measure.pores.step=0.01 && [ "$(value pore_mean "$tmp/coarse")" = "$(value pore_mean "$tmp/narrow")" ] &&
+  [ "$(value pore_second "$tmp/coarse")" = "$(value pore_second "$tmp/one")" ]; }
+tell 'the moments of pores do not depend on the step of the tables' steps
 centre() { near "$(at one/E_P 2)" 1 0 && near "$(value centre_gap "$tmp/one")" "$(e 'sqrt(50 * pi) - 1')" 1e-9; }
 tell 'the nearest surface of its centre is that of its image' centre
 sampled() { run one sampled --set measure.pores.method='"sampled"' --set measure.pores.points=200000 &&
@@ -44,4 +48,33 @@ tell 'the cluster of one disc' alone
 shapes() { run one shapes --set 'species.[0].shape={kind="superellipse"; aspect=50.0; m=1.0;}' --set measure.pores.points=1e6 &&
   [ "$(value alone "$tmp/shapes")" = 1 ] && near "$(at shapes/C2 0)" 0.02 1e-12; }
 tell 'a needle is sampled, without being asked' shapes
+# In a small box the first bins hold a few vectors, of which one mean is the largest by chance.
+cat > "$tmp/small.scene" <<'END'
+dimension = 3; seed = 1; realizations = 1; fraction = 0.2;
+species = ( { radius = 1.0; number = 20; } );
+make = { method = "rsa"; };
+measure = { structure = { reach = 4.0; }; };
+END
+few() { run small small && awk -F'\t' -v told="$(value highest_S "$tmp/small")" -v ka="$(value highest_ka "$tmp/small")" '
+  !/^#/ && $1 != "ka" { most = $2 > most ? $2 : most; found += $1 == ka && $2 == told } END { exit !(found && most > told) }' "$tmp/small/structure.tsv"; }
+tell 'the highest S is of a bin with vectors enough' few
+# S(k) of the core of a file without a box, beside that of the box that it was cut from: 4 errors, half a bin to either side.
+cat > "$tmp/whole.scene" <<'END'
+dimension = 3; seed = 3; realizations = 1; fraction = 0.3; save = true;
+species = ( { name = "A"; radius = 1.0; number = 3000; } );
+make = { method = "rsa"; };
+measure = { structure = { reach = 10.0; step = 0.5; vectors = 4000.0; }; };
+END
+echo 'dimension = 3; inside = 0.95; measure = { structure = { reach = 10.0; step = 0.5; vectors = 4000.0; }; };' > "$tmp/core.scene"
+core() { run whole whole && sed '2s/Lattice="[^"]*" *//; 2s/pbc="[^"]*" *//' "$tmp/whole/pack-0.xyz" > "$tmp/core.xyz" &&
+  ends 0 "$randpack" measure "$tmp/core.xyz" --scene "$tmp/core.scene" --out "$tmp/core" &&
+  awk -F'\t' '/^#/ || $1 == "ka" { next } { b = int($1 / 0.5) } NR == FNR { S[b] = $2; e[b] = $3; next }
+    { n++; off = ($2 - S[b]) / sqrt($3 ^ 2 + e[b] ^ 2); sum += off ^ 2; wide += ($3 / e[b] > 1.9); if (off ^ 2 > 16) exit bad = 1 }
+    END { exit !(!bad && n == 20 && sum / n < 2 && wide == n) }' "$tmp/whole/structure.tsv" "$tmp/core/structure.tsv"; }
+tell 'a core has the S(k) of the pack that it was cut from, with larger errors' core
+heap() { sed 's/^fraction.*//; s/fraction = 0.3; save = true;//; s/"rsa"/"gravity"/; s/3000/1500/' "$tmp/whole.scene" > "$tmp/heap.scene" && run heap heap &&
+  awk -F'\t' -v first="$(awk -F'\t' '$1 !~ /^#|ka/ { print $1; exit }' "$tmp/heap/structure.tsv")" 'BEGIN { exit !(first > 0.4 && first < 2) }'; }
+tell 'a heap has an S(k) from the first wave of its core on' heap
+short() { ends 1 "$randpack" run "$tmp/heap.scene" --set measure.structure.reach=0.1 --set measure.structure.step=0.05 --out "$tmp/short" && [ ! -e "$tmp/short/structure.tsv" ]; }
+tell 'a reach below the first wave of a core is not reached' short
 exit $failed

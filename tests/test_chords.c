@@ -174,7 +174,7 @@ static void test_plain(const Box *box, size_t n, double radius, const char *what
   Pack *pack = balls(box, n, radius, 7);
   int dim = box->dim;
   memcpy(pack->x + dim, pack->x, (size_t)dim * sizeof(double)); /* two at one place */
-  double far = 60, in = 0, crossings = 0, u[3] = {0.48, 0.6, 0.64}, pieces = 0;
+  double far = 60, in = 0, u[3] = {0.48, 0.6, 0.64}, pieces = 0;
   if (dim == 2)
     u[0] = 0.6, u[1] = 0.8;
   ChordPlan plan = {.lines = 16, .length = far, .direction = u, .step = 0.1, .bins = BINS, .fraction = GSL_NAN};
@@ -211,7 +211,6 @@ static void test_plain(const Box *box, size_t n, double radius, const char *what
         pieces++;
         in += to - from;
       }
-      crossings += from > 0 && from < far;
       reach = to;
     }
   }
@@ -254,7 +253,36 @@ static void test_hard(void) {
   pack_free(&pack);
 }
 
+/* The length of lines follows the exact means, and has an end as the last of the matrix is covered; with it the time. */
+static void test_length(void) {
+  Box box = {2, {9, 9, 0}};
+  double fraction, exact[2];
+  static const size_t many[] = {3, 60, 230};
+  for (int k = 0; k < 3; k++) {
+    Pack *pack = balls(&box, many[k], 1, 3);
+    double ten = 10 * M_PI * 81 / ((double)many[k] * 2 * M_PI), length;
+    chords_exact(pack, &fraction, exact);
+    length = chords_length(pack, exact);
+    gsl_test(!(length <= 100 * ten * (1 + 1e-12)), "%zu discs: lines are %g long, a hundred times %g at most", many[k], length, ten);
+    if (k < 2)
+      gsl_test_rel(length, 10 * (exact[0] + exact[1]), 1e-14, "%zu discs: as long as ten chords of each phase", many[k]);
+    else
+      gsl_test(!(fraction == 1 || exact[0] + exact[1] > 10 * ten), "few places are left: %g, chords %g", 1 - fraction, exact[1]);
+    pack_free(&pack);
+  }
+  Pack *full = balls(&box, 900, 1, 3), *none = balls(&box, 0, 1, 3);
+  chords_exact(full, &fraction, exact);
+  gsl_test_abs(fraction, 1, 1e-14, "a covered box");
+  gsl_test(!gsl_isnan(exact[0]) || !gsl_isnan(exact[1]), "a covered box has no mean chords: %g %g", exact[0], exact[1]);
+  gsl_test(!(chords_length(full, exact) <= 100 * 10 * M_PI * 81 / (900 * 2 * M_PI)), "and lines of a length");
+  chords_exact(none, &fraction, exact);
+  gsl_test(!gsl_isnan(exact[0]) || !gsl_isnan(exact[1]), "nor has an empty one: %g %g", exact[0], exact[1]);
+  pack_free(&full);
+  pack_free(&none);
+}
+
 int main(void) {
+  test_length();
   static const Box square = {2, {4.7, 3.9, 0}}, cube = {3, {3.1, 3.7, 4.1}}, narrow = {2, {1.1, 40, 0}};
   static const Box wide = {2, {15, 9, 0}}, slab = {3, {7, 5, 9}};
   test_ball(2, 0.9, &square);

@@ -40,6 +40,60 @@ static void test_covariances(void) {
   shape_free(&needle);
 }
 
+/* Of a rectangle a by b: a mean over directions of (a - r cos)(b - r sin), each factor where it is positive. */
+static double rectangle_covariance(double a, double b, double r) {
+  double from = r > a ? acos(a / r) : 0, to = r > b ? asin(b / r) : M_PI / 2;
+  if (from >= to)
+    return 0;
+  double s = sin(to) - sin(from), c = cos(from) - cos(to), square = 0.5 * (sin(to) * sin(to) - sin(from) * sin(from));
+  return 2 / M_PI * (a * b * (to - from) - b * r * s - a * r * c + r * r * square);
+}
+
+/* A thousand to one, also turned, and as curves: a mean that misses the few directions in which the needle meets itself is 0. */
+static void test_needles(void) {
+  static const double turns[] = {0, 0.123, 1.2, M_PI / 2, 2.9};
+  Outcome out = {0};
+  Shape *curve = shape_superellipse(1000, 1), *other = shape_superellipse(0.001, 1), *sharp = shape_superellipse(1000, 0.6);
+  for (size_t k = 0; k < sizeof turns / sizeof *turns; k++)
+    for (int blunt = 0; blunt < 2; blunt++) { /* 4 sides, or 44 */
+      enum { CAP = 20 };
+      double v[2 * CAP + 4][2], a = sqrt(1000 * M_PI), b = a / 1000;
+      int n = 0;
+      for (int end = 0; end < 2; end++)
+        for (int i = 0; i <= (blunt ? CAP + 1 : 1); i++) { /* a cap so flat that it adds nothing */
+          double t = -1 + 2. * i / (blunt ? CAP + 1 : 1), x = a / 2 + (1 - t * t) * 1e-9 * a, y = t * b / 2, sign = end ? -1 : 1;
+          v[n][0] = sign * (x * cos(turns[k]) - y * sin(turns[k]));
+          v[n++][1] = sign * (x * sin(turns[k]) + y * cos(turns[k]));
+        }
+      Shape *needle = shape_convex(n, (const double(*)[2])v, &out);
+      for (double r = 0.01; r < a * 1.01; r *= 1.31)
+        gsl_test_abs(cluster_shape(needle, r), rectangle_covariance(a, b, r), blunt ? 1e-6 : 1e-8, "a needle of %d sides turned by %g, r = %g of %g", n,
+                     turns[k], r, a);
+      gsl_test(!(cluster_shape(needle, 0.9 * a) > 1e-6), "and not 0");
+      shape_free(&needle);
+    }
+  for (double r = 0.01; r < 64; r *= 1.31) { /* a stretched disc: by the angle in which it is one */
+    double sum = 0;
+    enum { M = 100000 };
+    for (int i = 0; i < M; i++) {
+      double t = M_PI / 2 * (i + 0.5) / M, s = gsl_pow_2(sin(t)), f = M_PI / 2 * gsl_pow_3(sin(t)); /* crowded at 0 */
+      double c = hypot(cos(f) * curve->a, sin(f) * curve->b);
+      sum += 3 * M_PI / 2 * s * cos(t) * cluster_ball(2, 1, r / c) / (c * c) / M;
+    }
+    gsl_test_abs(cluster_shape(curve, r), sum, 1e-6, "an ellipse, a thousand to one, r = %g", r);
+    gsl_test_abs(cluster_shape(other, r), cluster_shape(curve, r), 2e-9, "and upright, r = %g", r);
+  }
+  double most = 2 * sharp->a, last = M_PI;
+  for (double r = 0.05; r < 0.99; r += 0.05) {
+    double now = cluster_shape(sharp, r * most);
+    gsl_test(!(now > 0 && now < last), "a sharp needle: %g after %g at %g of its length", now, last, r);
+    last = now;
+  }
+  shape_free(&curve);
+  shape_free(&other);
+  shape_free(&sharp);
+}
+
 /* |U and (U + r)|, a mean over directions, from the areas of unions. */
 static double covariance(const Pack *pack, const Box *box, double r) {
   enum { M = 720 };
@@ -174,8 +228,32 @@ static void test_hard(void) {
   pack_free(&full);
 }
 
+/* A lattice of balls that touch: all are alone, and two points of one cluster are nearer than a diameter. */
+static void test_touching(void) {
+  static const double r[BINS] = {0, 0.5, 1, 1.9, 2, 2.1, 4, 6};
+  static const double radii[] = {0.1, 0.3, 0.7, 1.1, M_PI};
+  double C[BINS], at[BINS];
+  Rng rng = rng_stream(334, 0, RNG_TEST);
+  for (int dim = 2; dim <= 3; dim++)
+    for (size_t k = 0; k < sizeof radii / sizeof *radii; k++) {
+      double R = radii[k];
+      Pack *pack = pack_of(dim, 8 * R, dim == 2 ? 16 : 64, R, NULL);
+      for (size_t i = 0; i < pack->n; i++)
+        for (int d = 0; d < dim; d++)
+          pack->x[i * (size_t)dim + (size_t)d] = (0.77 + 2 * (double)(d == 0 ? i % 4 : d == 1 ? i / 4 % 4 : i / 16)) * R;
+      for (int b = 0; b < BINS; b++)
+        at[b] = r[b] * R;
+      gsl_test_abs(cluster_function(pack, BINS, at, 1000, &rng, C).alone, 1, 0, "%d-D, balls of radius %g that touch are alone", dim, R);
+      for (int b = 0; b < BINS; b++)
+        gsl_test_abs(C[b], cluster_ball(dim, 1, r[b]) / pow(2, dim), 1e-14, "%d-D, balls of radius %g that touch, r = %g", dim, R, r[b]);
+      pack_free(&pack);
+    }
+}
+
 int main(void) {
   test_covariances();
+  test_needles();
+  test_touching();
   test_clusters();
   test_alone();
   test_hard();

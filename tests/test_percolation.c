@@ -2,6 +2,7 @@
 #include "many.h"
 #include "penetrable.h"
 #include "percolation.h"
+#include "touch.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
 #include <stdlib.h>
@@ -195,7 +196,74 @@ static void test_spheres(void) {
   pack_free(&pack);
 }
 
+/* Lattices of particles that touch: rounding makes pairs overlap, and none may be joined. A little larger, all are. */
+static void test_touching(void) {
+  static const double cell[4][3] = {{2, 2, 2}, {2, 2 * M_SQRT3, 2}, {2 * M_SQRT2, 2 * M_SQRT2, 2 * M_SQRT2}, {4 / M_SQRT3, 4 / M_SQRT3, 4 / M_SQRT3}};
+  static const double basis[4][4][3] = {{{0, 0, 0}}, {{0, 0, 0}, {0.5, 0.5, 0}}, {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}, {{0, 0, 0}, {0.5, 0.5, 0.5}}};
+  static const char *const name[] = {"square", "triangular", "face-centred", "body-centred"};
+  static const size_t of_cell[] = {1, 2, 4, 2};
+  static const double radii[] = {0.1, 0.3, 1 / 3., 0.7, 1, 1.1, M_PI, 17.3};
+  Shape *round = shape_superellipse(1, 1), *four = shape_regular(4);
+  int rounded = 0;
+  for (int l = 0; l < 6; l++)
+    for (size_t k = 0; k < sizeof radii / sizeof *radii; k++) {
+      int of = l < 4 ? l : 0, dim = of < 2 ? 2 : 3, m = 5;
+      double R = radii[k], edge = l == 5 ? sqrt(M_PI) / 2 : 1; /* the square of radius 1 */
+      Species species = {.name = "P", .radius = R, .shape = l == 4 ? round : l == 5 ? four : NULL};
+      Box box = {dim, {0}};
+      size_t cells = 1, at = 0;
+      for (int d = 0; d < dim; d++) {
+        box.side[d] = m * R * edge * cell[of][d];
+        cells *= (size_t)m;
+      }
+      species.count = cells * of_cell[of];
+      Pack *pack = pack_alloc(&box, &species, 1, false);
+      for (size_t c = 0; c < cells; c++)
+        for (size_t b = 0; b < of_cell[of]; b++, at++)
+          for (int d = 0; d < dim; d++) {
+            size_t i = d == 0 ? c % 5 : d == 1 ? c / 5 % 5 : c / 25;
+            pack->x[at * (size_t)dim + (size_t)d] = box_wrap((0.37 + (double)i + basis[of][b][d]) * R * edge * cell[of][d], box.side[d]);
+          }
+      for (size_t i = 0; l == 5 && i < pack->n; i++)
+        pack->angle[i] = M_PI / 4;
+      rounded += touch_least_gap(pack) < 0;
+      Percolation p = percolation_find(pack, 1), larger = percolation_find(pack, 1 + 1e-6);
+      gsl_test(p.clusters != pack->n || p.largest != 1 || p.along[0] || p.along[1] || p.along[2], "%s lattice %d, touching at radius %g: %zu of %zu alone",
+               name[of], l, R, p.clusters, pack->n);
+      gsl_test(larger.clusters != 1 || !larger.along[0] || !larger.along[1], "%s lattice %d, radius %g, larger: %zu clusters", name[of], l, R, larger.clusters);
+      for (size_t i = 0; i < pack->n * (size_t)dim; i++)
+        pack->x[i] *= 3;
+      for (int d = 0; d < dim; d++)
+        pack->box.side[d] *= 3;
+      p = percolation_find(pack, 3);
+      gsl_test_int((int)p.clusters, (int)pack->n, "%s lattice %d, radius %g, touching when scaled", name[of], l, R);
+      pack_free(&pack);
+    }
+  gsl_test(rounded < 8, "rounding made particles overlap in %d lattices", rounded);
+  /* Far from the origin of a wide box. */
+  for (int s = 0; s < 3; s++)
+    for (int k = 0; k < 50; k++) {
+      double edge = s == 2 ? sqrt(M_PI) : 2;
+      Pack *pack = discs(2, (const double[][2]){{0, 3}, {0, 3}}, 1, 3e5, 7);
+      if (s) {
+        Species species = {.name = "P", .radius = 1, .count = 2, .shape = s == 1 ? round : four};
+        Box box = pack->box;
+        pack_free(&pack);
+        pack = pack_alloc(&box, &species, 1, false);
+        pack->angle[0] = pack->angle[1] = s == 2 ? M_PI / 4 : 0;
+      }
+      pack->x[1] = pack->x[3] = 3;
+      pack->x[0] = 2e5 + 0.1 * k;
+      pack->x[2] = pack->x[0] + edge;
+      gsl_test_int((int)percolation_find(pack, 1).clusters, 2, "two that touch in a wide box, shape %d, at %.17g", s, pack->x[0]);
+      pack_free(&pack);
+    }
+  shape_free(&round);
+  shape_free(&four);
+}
+
 int main(void) {
+  test_touching();
   test_by_hand();
   test_plain();
   test_ways();

@@ -44,12 +44,13 @@ static void test_one(void) {
   gsl_integration_qagp(&f, at, 3, 0, 1e-10, 1000, w, &mean, &error);
   gsl_integration_qagp(&g, at, 3, 0, 1e-10, 1000, w, &second, &error);
   gsl_integration_workspace_free(w);
-  PoresMoments m = pores_moments_exact(pack, 0.001);
-  gsl_test_rel(m.mean, mean / free_part, 1e-6, "one disc, the mean pore");
-  gsl_test_rel(m.second, second / free_part, 1e-6, "one disc, the mean square");
-  PoresMoments coarse = pores_moments_exact(pack, 0.05);
-  gsl_test(!(fabs(coarse.mean - m.mean) < 3 * coarse.mean_error), "one disc, the error told of the mean, %g for %g", coarse.mean_error,
-           coarse.mean - m.mean);
+  PoresMoments m = pores_moments_exact(pack);
+  gsl_test_rel(m.mean, mean / free_part, 1e-5, "one disc, the mean pore");
+  gsl_test_rel(m.second, second / free_part, 1e-5, "one disc, the mean square");
+  gsl_test(!(fabs(m.mean - mean / free_part) < m.mean_error && m.mean_error < 3e-5 * m.mean), "one disc, the error told of the mean, %g for %g",
+           m.mean_error, m.mean - mean / free_part);
+  gsl_test(!(fabs(m.second - second / free_part) < m.second_error && m.second_error < 1e-4 * m.second), "one disc, that of the mean square, %g for %g",
+           m.second_error, m.second - second / free_part);
   Rng rng = rng_stream(311, 0, RNG_TEST);
   size_t n;
   double *x = pores_points(&pack->box, 20000, &rng, &n), *d = malloc(n * sizeof *d);
@@ -144,7 +145,7 @@ static void test_exact_and_points(void) {
       double H, want = pores_exact(pack, -0.2 + 0.1 * b, &H);
       gsl_test_abs(E[b], want, 4 * sqrt(want * (1 - want) / (double)n) + 1e-12, "pack %d, by points at %g", k, -0.2 + 0.1 * b);
     }
-    PoresMoments m = pores_moments_exact(pack, 0.02), s = pores_moments(d, n);
+    PoresMoments m = pores_moments_exact(pack), s = pores_moments(d, n);
     if (E[2] > 0)
       gsl_test_abs(s.mean, m.mean, 4 * s.mean_error, "pack %d, the mean pore", k);
     free(x);
@@ -160,8 +161,8 @@ static void test_hard(void) {
   pores_distances(none, 2, x, d);
   gsl_test(d[0] != GSL_POSINF || d[1] != GSL_POSINF, "no particle is near");
   gsl_test_abs(pores_exact(none, 1, &H), 1, 0, "no particle: all is free");
-  gsl_test(!gsl_isnan(pores_moments_exact(none, 0.1).mean), "no particle: no mean");
-  gsl_test(!gsl_isnan(pores_moments_exact(full, 0.1).mean), "no matrix: no mean");
+  gsl_test(!gsl_isnan(pores_moments_exact(none).mean), "no particle: no mean");
+  gsl_test(!gsl_isnan(pores_moments_exact(full).mean), "no matrix: no mean");
   gsl_test_abs(pores_exact(full, 0, &H), 0, 1e-15, "no matrix");
   pores_centres(twins, d);
   gsl_test_abs(d[0], -1, 1e-15, "coincident spheres");

@@ -55,6 +55,22 @@ static void test_boundaries(void) {
   }
 }
 
+/* At an end of an axis, s = 0, as near it, for exponents from a rhombus, whose power of s is nearly 0, to a rectangle. */
+static void test_ends(void) {
+  static const double m[] = {0.5 + 1e-11, 0.51, 1, 1.5, 50};
+  for (size_t k = 0; k < sizeof m / sizeof *m; k++) {
+    Shape *shape = shape_superellipse(1.7, m[k]);
+    double at[2], near[2], along, beside;
+    shape_slope(shape, 0, shape->b, at);
+    shape_slope(shape, 1e-300, shape->b, near);
+    along = hypot(at[0], at[1]);
+    beside = at[1] / along;
+    gsl_test(!(along > 0 && gsl_finite(along) && beside > 0.3), "m = %g: a normal at the end of an axis: %g %g, %g %g beside it", m[k], at[0], at[1], near[0],
+             near[1]);
+    shape_free(&shape);
+  }
+}
+
 static double exposed(const Pack *pack, double trials, Rng *rng) {
   Surface *surface = surface_points(pack, trials, rng);
   double all = surface->weight * (double)surface->n;
@@ -247,6 +263,7 @@ static void test_none(void) {
 
 int main(void) {
   test_boundaries();
+  test_ends();
   test_hidden();
   test_laws();
   test_limit();

@@ -418,7 +418,7 @@ static void test_errors(void) {
 static void test_dialects(void) {
   static const char *const same[] = {
       "1\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1 pbc=\"T T T\"\nN 1 2 3 .5\n",
-      "\xef\xbb\xbf" "1\r\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1\r\nN 1 2 3 .5\r\n",
+      "\357\273\2771\r\nLattice=\"8 0 0 0 8 0 0 0 8\" Properties=species:S:1:pos:R:3:radius:R:1\r\nN 1 2 3 .5\r\n",
       " 1 \nLATTICE = '8\t0 0 0 8 0 0 0 8'\tproperties = Species:S:1:POS:R:3:Radius:R:1\nN\t1\t2\t3\t0.5",
       "1\nLattice=[[8,0,0],[0,8,0],[0,0,8]] Properties=species:S:1:pos:R:3:diameter:R:1 pbc=[T, true, True]\nN 1 2 3 1\n\n\n",
       "1\nLattice=\"[[8.0D+00, 0, 0], [0, 8, 0], [0, 0, 8]]\" Properties=radius:R:1:type:S:1:positions:R:3 PBC=\"1 TRUE t\"\n5.d-1 N 1D0 2d0 .3E1\n",
