@@ -294,6 +294,7 @@ static void test_errors(void) {
       {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n", ":14:", "an ellipsoid without axes"},
       {HEADER "\nAtoms # ellipsoid\n\n3 1 0 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n3 1 1 1 1 0 0 0\n", ":18:", "no ellipsoid"},
       {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n1 1 1 1 3 4 1\n\nEllipsoids\n\n", ":16:", "two particles of one number"},
+      {"of nothing\n0 atoms\n-5 5 xlo xhi\n-5 5 ylo yhi\n-5 5 zlo zhi\nEllipsoids\n\n1 1 1 1 1 0 0 0\n", ":8:", "no ellipsoid"},
       {"1 2 3\n4 5 6\n", ":1:", "not a pack"},
       {"1 2 3 1\n4 5 6\n", ":2:", "3 words in this line, and 4 in the first"},
       {"1 2 3 1\n4 5 6,5 1\n", ":2:", "a decimal point"},
