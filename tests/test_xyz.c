@@ -219,7 +219,16 @@ static void test_reading_shapes(void) {
 
 static void test_reading(void) {
   Outcome out;
-  Pack *pack = read_text("0\n" HEAD "\n", &out);
+  static const Species none[] = {{"nobody", 0.3, 0}};
+  Box box = {3, {2, 3, 4}};
+  Pack *pack = pack_alloc(&box, none, 1, false);
+  write_to(path, pack, "");
+  pack_free(&pack);
+  out = (Outcome){0};
+  pack = files_read(path, NULL, &out);
+  gsl_test(!pack || strcmp(pack->species->name, "nobody") != 0 || pack->species->radius != 0.3, "no particle: species (%s)", out.text);
+  pack_free(&pack);
+  pack = read_text("0\n" HEAD "\n", &out);
   gsl_test(!pack || pack->n != 0 || pack->kinds != 1 || pack->kind || pack->radius, "an empty pack has one species");
   pack_free(&pack);
   pack = read_text("3\n" HEAD "\nB 1 2 3 1\nA 1 2 4 1\nB 1 2 5 1\n", &out);
