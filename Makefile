@@ -317,7 +317,7 @@ lint: $(STAMPS) $(INC) $(B)/bench ## form: the web, the warnings, the layout, th
 	@$(MAKE) --no-print-directory B=$(B)/lint WERROR=-Werror programs
 	@tests/lint '$(WEB)' '$(MODULES)' '$(ENTRIES)'
 mutants: $(STAMPS) $(INC) ## planted errors, each caught by a named test
-	@tests/mutants '$(CC) $(CFLAGS)' '$(MODULES) $(ENTRIES)' '$(LIBS)'
+	@ROWS='$(ROWS)' tests/mutants '$(CC) $(CFLAGS)' '$(MODULES) $(ENTRIES)' '$(LIBS)'
 $(B)/bench: $(BENCH) $(wildcard tests/ref_*.c) $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) $(if $(DRAFT),-DDRAFT) -I$(B)/c -Itests tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS) $(LIBS) -o $@
 bench: $(B)/bench ## speeds on this machine, recorded under data/

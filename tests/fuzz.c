@@ -83,7 +83,7 @@ static void read_all(const GatherKnown *known, const Box *box) {
   if (files_open(&file, in_path, known, box, &why))
     for (; packs < 20 && (pack = files_next(&file)); packs++) {
       judge(pack);
-      if (pack->n < 2000)
+      if (pack->n < 2000 && !pack->walls) /* which are not written */
         again(pack);
       pack_free(&pack);
     }

@@ -323,7 +323,45 @@ static void test_last_pair(void) {
   gsl_test(fabs(sum - 1) > 4 * error || error > 0.03, "the last pair of the window, %.4f +- %.4f", sum, error);
 }
 
+/* Points deep in a window have the weight one: the two fits are then the same, but for the volume. */
+static void test_through(void) {
+  for (int dim = 2; dim <= 3; dim++) {
+    Window ball = {WINDOW_BALL, dim, {30, 30, 30}, {0}, 14, 0, 0}, inner = ball;
+    Box box = {dim, {60, 60, dim == 3 ? 60 : 0}};
+    Species one = {"A", 0.5, dim == 2 ? 60 : 500};
+    Pack *pack = pack_alloc(&box, &one, 1, false);
+    Rng rng = rng_stream(77, 0, RNG_TEST);
+    inner.radius = 6;
+    for (size_t i = 0, d = (size_t)dim; i < pack->n; i++) {
+      bool free = false;
+      while (!free) {
+        window_point(&inner, 0, &rng, pack->x + i * d);
+        free = true;
+        for (size_t j = 0; j < i; j++) {
+          double square = 0;
+          for (size_t k = 0; k < d; k++)
+            square += gsl_pow_2(pack->x[i * d + k] - pack->x[j * d + k]);
+          free &= square > 1 - 2e-2; /* a few too near */
+        }
+      }
+    }
+    double unit = box_volume(&pack->box) / window_volume(&ball);
+    Contact whole = contact_value(pack, 1, 2, 0);
+    double bin = contact_first_bin(pack, 1, 0.1);
+    for (EdgesHow how = EDGES_MINUS; how <= EDGES_RIPLEY; how++) {
+      EdgesView view = {pack, &ball, how, -1, -1};
+      Contact seen = contact_through(&view, 1, 0.25, 2, 0);
+      gsl_test_rel(unit * seen.value, whole.value, 1e-10, "%d-D: the value through a window", dim);
+      gsl_test_rel(unit * seen.error, whole.error, 1e-10, "%d-D: its error through a window", dim);
+      gsl_test_rel(seen.window, whole.window, 1e-12, "%d-D: the window of the fit", dim);
+      gsl_test_rel(unit * contact_first_through(&view, 1, 0.1), bin, 1e-10, "%d-D: the first bin through a window", dim);
+    }
+    pack_free(&pack);
+  }
+}
+
 int main(void) {
+  test_through();
   test_last_pair();
   test_bias();
   test_polynomial();

@@ -252,7 +252,27 @@ static void test_keller(void) {
   gsl_test(worst > 1e-14, "Keller's exchange, to %.1e", worst);
 }
 
+/* At the ends of what moduli may be nothing is too large for a double. */
+static void test_extremes(void) {
+  double ends[] = {0, ELASTIC_LEAST, 1, ELASTIC_MOST, GSL_POSINF};
+  int bad = 0;
+  for (int code = 0; code < 625; code++) {
+    double K[] = {ends[code % 5], ends[code / 5 % 5]}, G[] = {ends[code / 25 % 5], ends[code / 125]};
+    for (int dim = 2; dim <= 3; dim++) {
+      Between all[] = {elastic_conductivity(dim, 0.3, 0.2, K), elastic_bulk(dim, 0.3, 0.2, K, G), elastic_shear(dim, 0.3, 0.2, 0.4, K, G),
+                       elastic_bulk_two(dim, 0.3, K, G), elastic_shear_two(dim, 0.3, K, G)};
+      for (int b = 0; b < 5; b++) {
+        const double *s = b == 2 || b == 4 ? G : K;
+        double least = GSL_MIN_DBL(s[0], s[1]), most = GSL_MAX_DBL(s[0], s[1]), slack = 1 + 1e-12;
+        bad += !(all[b].lower >= least / slack && all[b].lower <= all[b].upper * slack && all[b].upper <= most * slack);
+      }
+    }
+  }
+  gsl_test(bad, "moduli at their ends: %d of 6250 bounds are none", bad);
+}
+
 int main(void) {
+  test_extremes();
   test_by_hand();
   test_ends();
   test_trial_fields();

@@ -52,14 +52,14 @@ static void test_promises(size_t s) {
   if (!scene)
     return;
   const Maker *maker = (const Maker *)scene->make.entry;
-  Ensemble one = run_ensemble(scene, scene->species, scene->kinds);
+  Ensemble one = run_ensemble(scene, scene->facts, scene->species, scene->kinds);
   Result result;
   result_begin(&result, &one.layout);
   Work work = {.scene = scene, .asked = &scene->make, .own = scene->make.own, .k = 3, .result = &result, .at = one.at[1]};
   Box box = ask_box(scene);
   Pack *pack = maker->make(&work, &box);
   gsl_test(!pack, "%s makes a pack of scene %d (%s)", scenes[s].maker, (int)s, result.out.text);
-  unsigned facts = pack ? entry_facts(pack) : 0, kinds = FACT_PERIODIC | FACT_FINITE;
+  unsigned facts = pack ? entry_facts(pack, touch_least_gap(pack)) : 0, kinds = FACT_PERIODIC | FACT_FINITE;
   gsl_test_str(maker->entry.name, scenes[s].maker, "the maker is found by its name");
   gsl_test_int((int)(facts & kinds), (int)(scene->facts & kinds), "%s: in a box or finite, as promised", scenes[s].maker);
   gsl_test((scene->facts & FACT_ONE_SIZE) != (facts & FACT_ONE_SIZE), "%s: of one size or several", scenes[s].maker);
@@ -94,7 +94,7 @@ static void test_pairs(void) {
   Scene *scene = scene_of(text);
   if (!scene)
     return;
-  Ensemble one = run_ensemble(scene, scene->species, scene->kinds);
+  Ensemble one = run_ensemble(scene, scene->facts, scene->species, scene->kinds);
   const Maker *maker = (const Maker *)scene->make.entry;
   Result made;
   result_begin(&made, &one.layout);

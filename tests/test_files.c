@@ -256,7 +256,6 @@ static void test_errors(void) {
   static const struct {
     const char *text, *where, *what;
   } wrong[] = {
-      {DUMP "pp pp ff\n-5 5\n-5 5\n-5 5\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":9:", "in some directions only"},
       {DUMP "xy xz yz pp pp pp\n-5 5 1\n-5 5 0\n-5 5 0\nITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 1\n", ":8:", "84.29 degrees between its first two"},
       {DUMP CUBE "ITEM: ATOMS x y z\n0 0 0\n1 1 1\n", ":9:", "no radii"},
       {DUMP CUBE "ITEM: ATOMS x z radius\n0 0 1\n1 1 1\n", ":9:", "no positions"},

@@ -135,7 +135,31 @@ static void test_parallel(void) {
   shape_free(&square);
 }
 
+/* Grains with radii of their own are all scaled by one factor; and what no factor reaches is said so. */
+static void test_scale(void) {
+  Box box = {2, {10, 10, 0}};
+  Species species = {.name = "G", .radius = 1, .count = 12};
+  Pack *pack = pack_alloc(&box, &species, 1, true);
+  Rng rng = rng_stream(85, 0, RNG_TEST);
+  double before[12];
+  for (size_t i = 0; i < 12; i++)
+    before[i] = pack->radius[i] = 0.4 + 0.1 * (double)i;
+  PenetrableReport report;
+  Outcome out = {0}, none = {0};
+  gsl_test_int(penetrable_scale(pack, &(PenetrablePlan){.fraction = 0.63}, &rng, &report, &out), DONE, "sizes by a law are scaled: %s", out.text);
+  gsl_test_abs(covered(pack, NULL), 0.63, 1e-14, "sizes by a law are scaled to the fraction");
+  for (size_t i = 0; i < 12; i++)
+    gsl_test_rel(pack->radius[i], before[i] * pack->species[0].radius, 1e-15, "by one factor: grain %d", (int)i);
+  pack->species[0].radius = 1;
+  for (size_t i = 0; i < 12; i++)
+    pack->radius[i] = 1e-3;
+  gsl_test_int(penetrable_scale(pack, &(PenetrablePlan){.fraction = 0.63}, &rng, &report, &none), UNREACHED, "no factor is large enough");
+  gsl_test(!strstr(none.text, "no factor of all radii from 1/16 to 16 covers 0.63 of the box"), "no factor, and it says so: %s", none.text);
+  pack_free(&pack);
+}
+
 int main(void) {
+  test_scale();
   test_parallel();
   test_law();
   test_exact();

@@ -1,6 +1,8 @@
 /* tests/test_share.c: shares of the field that are known: stripes, the chessboard, lattices and irregular packs by the multipole identity
    (values of a computation of its own, by Ewald sums, to all digits printed) */
 #include "many.h"
+#include "microstructure.h"
+#include "rng.h"
 #include "share.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
@@ -93,6 +95,107 @@ static void test_spheres(void) {
   expect(balls(3, unit, 0.2, 6, six), pixels, 2, 0.027765116261, 0.097699096096, tolerance, "six spheres");
 }
 
+/* One disc at ten places of the lattice, and three: the error that is told is not short, and not long. */
+static void test_shifted(void) {
+  static const double at[] = {0.13, 0.21, 0.63, 0.27, 0.31, 0.74};
+  Rng rng = rng_stream(91, 0, RNG_TEST);
+  for (int discs = 1; discs <= 3; discs += 2)
+    for (int radius = 6; radius <= 20; radius += 7) { /* pixels to it */
+      double r = sqrt((discs == 1 ? 0.4 : 0.3) / discs / M_PI), pixels = gsl_pow_2(radius / r), beyond[2] = {0}, told[2] = {0}, off[2] = {0};
+      Pack *pack = balls(2, unit, r, (size_t)discs, at);
+      Microstructure exact;
+      Share share;
+      Outcome out = {0};
+      gsl_test_int(microstructure_balls(pack, &(MicrostructurePlan){1e-9, 1}, &exact, NULL, &out), DONE, "%d discs, exactly", discs);
+      for (int place = 0; place < 10; place++) {
+        double shift[2] = {rng_uniform(&rng), rng_uniform(&rng)};
+        for (size_t i = 0; i < 2 * pack->n; i++)
+          pack->x[i] = fmod(at[i] + shift[i % 2], 1);
+        gsl_test_int(share_find(pack, pixels, 8, &share, &out), DONE, "%d discs, place %d", discs, place);
+        double error[] = {share.zeta_error, share.eta_error}, wrong[] = {fabs(share.zeta - exact.zeta), fabs(share.eta - exact.eta)};
+        for (int k = 0; k < 2; k++) {
+          beyond[k] += wrong[k] > 2 * error[k];
+          told[k] += error[k] / 10;
+          off[k] += wrong[k] / 10;
+        }
+      }
+      for (int k = 0; k < 2; k++) {
+        gsl_test(beyond[k] > 0, "%d discs, %d pixels: %g of 10 places beyond twice the error of %s", discs, radius, beyond[k], k ? "eta" : "zeta");
+        gsl_test(told[k] > 10 * off[k], "%d discs, %d pixels: the error of %s is %g, and told %g", discs, radius, k ? "eta" : "zeta", off[k], told[k]);
+      }
+      pack_free(&pack);
+    }
+}
+
+/* A hundred spheres with five pixels to the radius: there a parabola is not enough. */
+static void test_coarse(void) {
+  enum { N = 100 };
+  double x[3 * N], beyond = 0;
+  Rng rng = rng_stream(92, 0, RNG_TEST);
+  for (int c = 0; c < 3 * N; c++)
+    x[c] = rng_uniform(&rng);
+  Pack *pack = balls(3, unit, cbrt(0.1 / N * 0.75 / M_PI), N, x);
+  for (size_t i = 0; i < N; i++) /* each again until it overlaps none */
+    for (size_t j = 0; j < i; j++) {
+      double square = 0;
+      for (size_t k = 0; k < 3; k++)
+        square += gsl_pow_2(box_nearest(pack->x[3 * i + k] - pack->x[3 * j + k], 1));
+      if (square >= 4 * gsl_pow_2(pack->species[0].radius))
+        continue;
+      for (size_t k = 0; k < 3; k++)
+        x[3 * i + k] = pack->x[3 * i + k] = rng_uniform(&rng);
+      j = (size_t)-1;
+    }
+  Microstructure exact;
+  Share share;
+  Outcome out = {0};
+  gsl_test_int(microstructure_balls(pack, &(MicrostructurePlan){1e-7, 1}, &exact, NULL, &out), DONE, "spheres, exactly: %s", out.text);
+  for (int place = 0; place < 10; place++) {
+    double shift[3] = {rng_uniform(&rng), rng_uniform(&rng), rng_uniform(&rng)};
+    for (size_t i = 0; i < 3 * N; i++)
+      pack->x[i] = fmod(x[i] + shift[i % 3], 1);
+    share_find(pack, gsl_pow_3(5 / pack->species[0].radius), 2, &share, &out);
+    beyond += fabs(share.eta - exact.eta) > 2 * share.eta_error;
+  }
+  gsl_test(beyond > 2, "spheres, 5 pixels: %g of 10 places beyond twice the error of eta", beyond);
+  pack_free(&pack);
+}
+
+/* A square parallel to the lattice, of which each side is the same in all its pixels; and the stripe of the chapter. */
+static void test_parallel(void) {
+  static const double middle[] = {0.5, 0.5};
+  Outcome out = {0};
+  Shape *square = shape_regular(4);
+  Pack *pack = of_shape(unit, square, sqrt(0.3 / M_PI), 1, middle, M_PI / 4);
+  Rng rng = rng_stream(93, 0, RNG_TEST);
+  Share fine, share;
+  double zeta = 0, eta = 0, off[2] = {0};
+  for (int k = 0; k < 40; k++) { /* the mean over places has the line's error alone */
+    pack->x[0] = rng_uniform(&rng), pack->x[1] = rng_uniform(&rng);
+    share_find(pack, 4e4, 4, &fine, &out);
+    zeta += fine.zeta / 40, eta += fine.eta / 40;
+  }
+  for (int k = 0; k < 20; k++) {
+    pack->x[0] = rng_uniform(&rng), pack->x[1] = rng_uniform(&rng);
+    gsl_test_int(share_find(pack, gsl_pow_2(44), 8, &share, &out), DONE, "a parallel square");
+    off[0] += fabs(share.zeta - zeta) > 2 * share.zeta_error;
+    off[1] += fabs(share.eta - eta) > 2 * share.eta_error;
+  }
+  gsl_test(off[0] + off[1] > 0, "a parallel square: %g and %g of 20 beyond twice the error", off[0], off[1]);
+  pack_free(&pack);
+  double bar[][2] = {{-2, -0.15}, {2, -0.15}, {2, 0.15}, {-2, 0.15}};
+  Shape *shape = shape_convex(4, (const double(*)[2])bar, &out);
+  for (int k = 0; k < 10; k++) {
+    double at[] = {0.5, rng_uniform(&rng)};
+    pack = of_shape(unit, shape, sqrt(1.2 / M_PI), 1, at, 0);
+    gsl_test_int(share_find(pack, 1e4, 8, &share, &out), DONE, "a stripe between pixels");
+    gsl_test(fabs(share.zeta - 0.7) > 2 * share.zeta_error, "a stripe between pixels: %g +- %g", share.zeta, share.zeta_error);
+    pack_free(&pack);
+  }
+  shape_free(&square);
+  shape_free(&shape);
+}
+
 /* The same pack at another scale has the same bits; moved, the same within its errors; and one phase has no field. */
 static void test_same(void) {
   static const double three[] = {0.2, 0.3, 0.7, 0.4, 0.5, 0.8};
@@ -122,6 +225,9 @@ int main(void) {
   test_planes();
   test_discs();
   test_spheres();
+  test_shifted();
+  test_parallel();
+  test_coarse();
   test_same();
   return gsl_test_summary();
 }

@@ -103,6 +103,55 @@ static void test_search(void) {
   shape_free(&all[1].shape);
 }
 
+/* The pair that overlaps most, against the gaps of all pairs taken alone; and what is hard. */
+static void test_deepest(int dim, const Species species[], int kinds, const char *what) {
+  Box box = {dim, {9, 8, dim == 3 ? 7 : 0}};
+  Rng rng = rng_stream(11, (uint64_t)dim, RNG_TEST);
+  Pack *pack = pack_alloc(&box, species, kinds, false);
+  points_scatter(pack, &rng);
+  points_turn(pack, &rng);
+  size_t pair[2], wanted[2] = {0};
+  double least = GSL_POSINF, gap = touch_deepest(pack, pair);
+  for (size_t i = 0; i < pack->n; i++)
+    for (size_t j = i + 1; j < pack->n; j++) {
+      double square = 0, g;
+      for (size_t k = 0, d = (size_t)dim; k < d; k++)
+        square += pow(box_nearest(pack->x[j * d + k] - pack->x[i * d + k], box.side[k]), 2);
+      g = sqrt(square) - pack_radius(pack, i) - pack_radius(pack, j);
+      if (pack->angle) {
+        Body A = pack_body(pack, i), B = pack_body(pack, j);
+        B.x = A.x + box_nearest(B.x - A.x, box.side[0]), B.y = A.y + box_nearest(B.y - A.y, box.side[1]);
+        overlap_verdict(&A, &B, &g);
+      }
+      if (g < least)
+        least = g, wanted[0] = i, wanted[1] = j;
+    }
+  gsl_test(!(least < 0) || pair[0] != wanted[0] || pair[1] != wanted[1], "%s: the deepest pair is %d %d, found %d %d", what,
+           (int)wanted[0], (int)wanted[1], (int)pair[0], (int)pair[1]);
+  gsl_test_abs(gap, least, 1e-13, "%s: its gap", what);
+  gsl_test(gap != touch_least_gap(pack), "%s: it is the least gap", what);
+  gsl_test(touch_hard(pack, gap), "%s: is not hard", what);
+  pack_free(&pack);
+}
+
+static void test_hard(void) {
+  Box box = {3, {10, 10, 10}};
+  Species two[] = {{"L", 2, 1}, {"S", 0.5, 1}};
+  Pack *pack = pack_alloc(&box, two, 2, false);
+  size_t pair[2];
+  gsl_test(!touch_hard(pack, -0.499e-4) || touch_hard(pack, -0.501e-4), "hard by a part of the smallest radius");
+  pack->x[0] = pack->x[1] = pack->x[2] = 9.5;
+  pack->x[3] = 1.9, pack->x[4] = pack->x[5] = 9.5;
+  gsl_test_abs(touch_deepest(pack, pair), -0.1, 1e-14, "across the box");
+  gsl_test(!touch_hard(pack, GSL_POSINF), "nothing overlaps if there is one particle");
+  pack_free(&pack);
+  Species wide = {"W", 6, 1};
+  pack = pack_alloc(&box, &wide, 1, false);
+  gsl_test_abs(touch_deepest(pack, pair), -2, 1e-14, "a ball and its own image");
+  gsl_test(pair[0] != 0 || pair[1] != 0, "are one particle");
+  pack_free(&pack);
+}
+
 static void test_balls(void) {
   Species discs[] = {{"A", 1, 30}, {"B", 0.25, 40}};
   Pack *pack = scattered(discs, 2, 17, 13, false, 5);
@@ -129,6 +178,13 @@ int main(void) {
   known(shape_regular(4), 1, 20, M_PI / 4, 20 - 2 * half, "half the box apart");
   known(shape_regular(4), 11.5, 20, M_PI / 4, 20 - 11.5 * side, "as wide as half of it");
   test_balls();
+  test_hard();
+  Species plain[] = {{"A", 1, 7}, {"B", 0.25, 9}}, shaped[] = {{"P", 1, 5, shape_regular(5)}, {"D", 0.7, 4, NULL}, {"E", 0.5, 5, shape_superellipse(1.7, 1)}};
+  test_deepest(2, plain, 2, "discs");
+  test_deepest(3, plain, 2, "spheres");
+  test_deepest(2, shaped, 3, "shapes");
+  shape_free(&shaped[0].shape);
+  shape_free(&shaped[2].shape);
   test_turns();
   test_search();
   Species some[] = {{"P", 1, 9, shape_regular(5)},      {"T", 0.5, 8, shape_regular(3)}, {"D", 0.7, 7, NULL},

@@ -133,6 +133,28 @@ static void test_law(void) {
   }
 }
 
+/* Where species overlap a point is of both, by all ways. */
+static void test_species(void) {
+  static const double side[] = {6, 5, 5.5};
+  Rng rng = rng_stream(24, 0, RNG_TEST);
+  Outcome out = {0};
+  for (int dim = 2; dim <= 3; dim++) {
+    Pack *pack = some(dim, 4, 5, dim == 2 ? shape_regular(5) : NULL, side, &rng);
+    memcpy(pack->x + 4 * dim, pack->x, (size_t)dim * sizeof *pack->x); /* one upon another */
+    Twopoint *raster = twopoint_raster(pack, 0.7, 6, true, 1e6);
+    Twopoint *exact = dim == 2 ? twopoint_exact(pack, 0.7, 6, true, 1e-4, &out) : raster;
+    Twopoint *thrown = twopoint_segments(pack, 0.7, 6, true, (size_t)as_many(20000, 200000), &rng);
+    expect_same(exact, raster, 4e-4, true, "species that overlap, raster");
+    expect_same(exact, thrown, dim == 2 ? 1e-4 : 2e-3, true, "species that overlap, segments");
+    gsl_test(exact->pair[0] + 2 * exact->pair[6] + exact->pair[12] < exact->S[0][0] + 0.01, "species that overlap share points");
+    if (dim == 2)
+      twopoint_free(&exact);
+    twopoint_free(&raster);
+    twopoint_free(&thrown);
+    pack_free(&pack);
+  }
+}
+
 /* With species and without, the same segments are thrown, and asked in two ways. */
 static void test_batches(void) {
   const double side[] = {9, 11, 8};
@@ -155,6 +177,7 @@ static void test_batches(void) {
 
 int main(void) {
   test_methods();
+  test_species();
   test_batches();
   test_penetrable();
   test_slope();
