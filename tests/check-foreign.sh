@@ -127,6 +127,15 @@ frames() {
 }
 tell 'two packs in one file' frames
 
+# Names that are an index: what is told of each is told, but not of each pair.
+index() {
+  awk 'NR > 2 { $1 = NR - 2 } { print }' $from/sizes.xyz > "$tmp/index.xyz" && measure i p "$tmp/index.xyz" &&
+    near "$(value nearest "$tmp/i")" "$(awk -v a="$(awk 'NR == 3 { print $NF }' $from/sizes.xyz)" -v n="$(value nearest "$tmp/p")" 'BEGIN { printf "%.9g", n * .967512484 / a }')"
+}
+tell 'two hundred names' index
+tell 'have too many pairs' refused 'o.scene:2: measure.partials is of pairs of species, and 200 species have too many; at most 20 species' \
+  "$randpack" measure "$tmp/index.xyz" --scene "$tmp/o.scene" --out "$tmp/new"
+
 # Radii that the file does not tell; a unit that the scene says.
 bare() {
   sed '2s/:radius:R:1//; 3,$s/ [^ ]*$//' $from/spheres.xyz > "$tmp/bare.xyz"
@@ -136,6 +145,25 @@ bare() {
 tell 'the scene tells the radius' bare
 tell 'or else there is none' refused "no radii; Properties must hold radius:R:1 or diameter:R:1, or the scene a radius" \
   "$randpack" measure "$tmp/bare.xyz" --scene "$tmp/m.scene" --out "$tmp/new"
+# One radius for all, by the fraction and the number: (3 phi V / 4 pi n)^(1/3) = <a^3>^(1/3).
+estimate() {
+  sed '2s/:radius:R:1//; 3,$s/ [^ ]*$//' $from/sizes.xyz > "$tmp/bare.xyz"
+  mean=$(awk 'NR > 2 { n++; cubes += $NF ^ 3 } END { printf "%.17g", (cubes / n) ^ (1 / 3) }' $from/sizes.xyz)
+  awk -v a="$mean" 'NR > 2 { $NF = a } { print }' $from/sizes.xyz > "$tmp/one.xyz"
+  printf 'fraction = %.17g;\n' "$(value fraction "$tmp/p")" | cat "$tmp/p.scene" - > "$tmp/f.scene"
+  measure f f "$tmp/bare.xyz" && measure g p "$tmp/one.xyz" && near "$(value nearest "$tmp/f")" "$(value nearest "$tmp/g")" &&
+    near "$(value reduced_density "$tmp/f")" "$(value fraction "$tmp/p")" &&
+    diff <(awk '/^[0-9]/ { printf "%.9g %.9g\n", $1, $2 }' "$tmp/f/rdf.tsv") <(awk '/^[0-9]/ { printf "%.9g %.9g\n", $1, $2 }' "$tmp/g/rdf.tsv") &&
+    grep -q "^# unit of length a = $(printf %.8g "$mean")[0-9]*, the radius of grain, estimated from fraction and number$" "$tmp/f/rdf.tsv"
+}
+tell 'one radius for all, from the fraction' estimate
+bias() {
+  ends 0 "$randpack" measure "$tmp/bare.xyz" --scene "$tmp/f.scene" --set "fraction=$(awk -v f="$(value fraction "$tmp/p")" 'BEGIN { print f * 1.05 ^ 3 }')" \
+    --out "$tmp/h" && near "$(value nearest "$tmp/h")" "$(awk -v r="$(value nearest "$tmp/f")" 'BEGIN { printf "%.17g", r / 1.05 }')"
+}
+tell 'one larger by five per cent, as B show their bias' bias
+tell 'but not without a box' refused 'no box to estimate them from' "$randpack" measure <(sed '2s/Lattice="[^"]*" *//; 2s/pbc="[^"]*"/pbc="F F F"/' "$tmp/bare.xyz") \
+  --scene "$tmp/f.scene" --out "$tmp/new"
 unit() {
   sed 's/step = 0.5; reach = 4.5/step = 0.25; reach = 2.25/; $s/$/ unit = 2.0;/' "$tmp/m.scene" > "$tmp/u.scene"
   measure u u $from/spheres.xyz && near "$(value nearest "$tmp/u")" 1.079091 &&
@@ -157,4 +185,29 @@ again() {
     sed -i '/^# \(randpack\|scene\)/d; /^\(attempts\|trials\)\t/d' "$tmp/s"/* && measure w s "$tmp/w.xyz" && diff -r "$tmp/s" "$tmp/w"
 }
 tell 'a pack of many sizes that we wrote is measured to the same tables' again
+
+# What we wrote is opened by others: names, radii, places and the box, if ASE is there.
+python=
+for p in python3 /usr/bin/python3; do "$p" -c 'import ase' 2> "$tmp/err" && python=$p; done
+opened() {
+  "$python" - "$tmp/w.xyz" <<'END'
+import sys
+from ase.io import read
+rows = [line.split() for line in open(sys.argv[1])][2:]
+atoms = read(sys.argv[1], format='extxyz')
+assert len(atoms) == len(rows) and all(atoms.pbc)
+assert list(atoms.arrays['type']) == [row[0] for row in rows] and {'grain', 'Fine'} == set(atoms.arrays['type'])
+assert all(a == float(row[4]) for a, row in zip(atoms.arrays['radius'], rows))
+assert all(x == float(word) for place, row in zip(atoms.positions, rows) for x, word in zip(place, row[1:4]))
+END
+}
+if [ -n "$python" ]; then
+  tell 'ASE opens a pack that we wrote' opened
+else
+  echo 'SKIP: no ASE (python3-ase), so it opened no pack of ours'
+fi
+old() {
+  sed '2s/Properties=type:/Properties=species:/' "$tmp/w.xyz" > "$tmp/old.xyz" && measure old s "$tmp/old.xyz" && diff -r "$tmp/w" "$tmp/old"
+}
+tell 'and a pack that was written with species is what it was' old
 exit $failed

@@ -77,6 +77,12 @@ tell 'marked ones grow each to its own radius' law
 three() { run two three --set 'species=({name="a";radius=1.0;number=2000;},{name="b";radius=2.0;number=60;},{name="c";radius=4.0;number=12;})' &&
   holds three 'v["number.a"] + v["destroyed"] >= 2000 && v["number.c"] == 12 && v["overlap"] < 1e-9'; }
 tell 'three sizes are built from fine to coarse' three
+apart() {
+  run two apart --set gap=0.3 --set 'species=({name="a";radius=1.0;number=400;},{name="c";radius=2.0;number=20;grow="mark";sizes={law="lognormal";spread=0.2;least=1.2;most=4.0;};})' &&
+  holds apart 'v["min_gap"] > 0.15 - 1e-8 && v["min_gap"] < 0.16 && v["number.a"] == 400' && cp "$tmp/apart/pack-0.xyz" "$tmp/apart.xyz" &&
+  run two apart --set 'species=({name="a";radius=1.0;number=400;},{name="c";radius=2.0;number=20;grow="mark";sizes={law="lognormal";spread=0.2;least=1.2;most=4.0;};})' &&
+  diff <(awk 'NR > 2 { print $1, $5 }' "$tmp/apart.xyz" | sort) <(awk 'NR > 2 { print $1, $5 }' "$tmp/apart/pack-0.xyz" | sort); }
+tell 'a gap is kept, and the radii are those without it' apart
 cat > "$tmp/pairs.scene" <<'END'
 dimension = 3; seed = 3; save = true;
 species = ( { name = "fine"; radius = 2.0; number = 4000; }, { name = "coarse"; radius = 4.0; number = 100; } );

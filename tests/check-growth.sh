@@ -25,6 +25,21 @@ say flat 'dimension = 2; box = [1.0, 1.5]; species = ( { name = "A"; radius = 0.
   mass = "volume"; start = "rsa"; }; measure = { nearest = {}; coordination = {}; pressure = { warm = 5; each = 5; }; };
 save = true;'
 
+# --- a gap
+say gap 'dimension = 3; gap = 0.2; fraction = 0.45; number = 100; save = true; make = { method = "crm"; growth = 0.1; };
+species = ( { name = "A"; radius = 1.0; share = 0.5; sizes = { law = "lognormal"; spread = 0.2; }; }, { name = "B"; radius = 2.0; share = 0.5; } );'
+keeps() { awk -v gap="$(value min_gap "$tmp/gap")" 'BEGIN { exit !(gap >= 0.1 * (1 - 1e-9) && gap < 0.11) }'; }
+gapped() { run gap gap "$@" && audit "$tmp/gap/pack-0.xyz" 0.45 && keeps; }
+tell 'growth keeps a gap and lands on the fraction' gapped
+tell 'from a pack by rsa, too' gapped --set make.start=rsa --set make.start_fraction=0.15
+jammed() { run gap gap --set fraction=max && keeps && [ "$(awk 'NR > 2 && $1 == "B" { print $5 }' "$tmp/gap/pack-0.xyz" | sort -u)" = 2 ]; }
+tell 'and jams with it' jammed
+again() { cp "$tmp/gap/pack-0.xyz" "$tmp/loose.xyz" && sed '/^species/d; s/number = 100; //' "$tmp/gap.scene" > "$tmp/from.scene" &&
+  ends 0 "$randpack" run "$tmp/from.scene" --set "make.start=$tmp/loose.xyz" --set fraction=0.48 --out "$tmp/gap" && audit "$tmp/gap/pack-0.xyz" 0.48 && keeps; }
+gapped --set gap=0.2 --set fraction=0.45 > "$tmp/out" && tell 'and grows on from such a pack' again
+tell 'but not from one without' refused 'surfaces in the pack to start from are nearer than gap, by' \
+  "$randpack" run "$tmp/from.scene" --set "make.start=$tmp/loose.xyz" --set gap=0.3 --set fraction=0.5 --out "$tmp/new"
+
 # --- landing
 lands() { run "$1" "$1" && audit "$tmp/$1/pack-0.xyz" "$2" && [ "$(value collisions "$tmp/$1")" -gt 500 ]; }
 tell 'spheres land on the fraction without overlap' lands one 0.55
@@ -80,7 +95,7 @@ from_pack 'a start, and species' 'the pack to start from has its particles and i
 from_pack 'a start, and a box' 'the pack to start from has its particles and its box; leave' --set 'box=[1,1,2]'
 from_pack 'a start, and too long a reach' 'measure.rdf.reach = 6 goes beyond half the box; the largest reach here is 5.' --set 'measure.rdf.reach=6.0'
 sed 's/ 1$/ 1.5/' "$tmp/one/pack-0.xyz" > "$tmp/over.xyz"
-from_pack 'a start that overlaps' 'the pack to start from overlaps; give' --set "make.start=$tmp/over.xyz" --set fraction=0.9
+from_pack 'a start that overlaps' 'the pack to start from overlaps, by ' --set "make.start=$tmp/over.xyz" --set fraction=0.9
 sizes() { # a radius a particle
   awk 'NR > 2 { $5 *= 1 - NR / 1000 } { print }' "$tmp/one/pack-0.xyz" > "$tmp/sizes.xyz"
   run again sizes --set "make.start=$tmp/sizes.xyz" --set fraction=0.5 && audit "$tmp/sizes/pack-0.xyz" 0.5 &&

@@ -16,7 +16,29 @@ bad() {
   tell "$name" refused "$tmp/p.xyz:$place: $words" "$randpack" measure "$tmp/p.xyz" \
     --scene "$tmp/s.scene" --out "$tmp/new"
 }
+# hostile NAME PLACE WORDS: the file, of few or many bytes, is refused with no more memory than its lines are long.
+hostile() {
+  tell "$1" refused "$tmp/h:$2: $3" bash -c 'ulimit -v 700000; exec "$@"' - "$randpack" measure "$tmp/h" --scene "$tmp/s.scene" --out "$tmp/new"
+}
 two='A 1 2 3 1\nA 5 6 7 1\n'
+printf '1000000000000000000\n%s\nA 1 2 3 1\n' "$full" > "$tmp/h"
+hostile 'a number that is a lie' 4 'the file ends here; each particle'
+printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1e15\nITEM: BOX BOUNDS pp pp pp\n0 8\n0 8\n0 8\nITEM: ATOMS x y z radius\n1 1 1 1\n' > "$tmp/h"
+hostile 'in a dump' 11 'the file ends here; each particle'
+printf 'LAMMPS\n1e15 atoms\n0 8 xlo xhi\n0 8 ylo yhi\n0 8 zlo zhi\nAtoms # sphere\n\n1 1 1 1 1 1 1\n' > "$tmp/h"
+hostile 'in a data file' 9 'the file ends here; each particle'
+{ printf '1\n%s\nA 1 2 3 1 ' "$full"; head -c 4000000 /dev/zero | tr '\0' a; echo; } > "$tmp/h"
+hostile 'a line of megabytes' 3 '6 words, and Properties tells 5 columns; each'
+{ printf '1\n%s a=' "$full"; head -c 1000000 /dev/zero | tr '\0' '['; printf '\nA 1 2 3 1\n'; } > "$tmp/h"
+hostile 'a million brackets' 2 'a bracket without its partner; see'
+{ printf '1000000\n%s\n' "$full"; seq 1000000 | awk '{ print "S" $1, 1, 2, 3, 1 }'; } > "$tmp/h"
+hostile 'a million names' 65537 'too many species; at most 65534'
+head -c 40000000 /dev/zero | gzip > "$tmp/h"
+hostile 'nothing but zeros, in forty kilobytes' 1 'a byte of zero; give a text'
+cp "$randpack" "$tmp/h"
+hostile 'a program' 1 'a byte of zero; give a text'
+{ printf 'dimension = 3; make = '; for _ in {1..20000}; do printf '{a='; done; } > "$tmp/deep.scene"
+tell 'a scene that is deep' refused 'deep.scene:1: too many brackets within brackets; settings' "$randpack" plan "$tmp/deep.scene"
 bad 'an empty file' 1 'the file ends here; the first' ''
 bad 'a word for the number' 1 'not a pack; give' "two\n$full\n$two"
 bad 'a negative number' 1 'no number of particles; the first line' "-2\n$full\n$two"
@@ -30,11 +52,11 @@ bad 'no box' 2 'no box, and the pack is periodic; give Lattice' "2\n$what $pbc\n
 bad 'a box of eight numbers' 2 'Lattice is not nine numbers; give Lattice' "2\nLattice=\"8 0 0 0 8 0 0 0\" $what $pbc\n$two"
 bad 'a tilted box' 2 'the box is oblique, with 82.87 degrees between its first two vectors; only' "2\nLattice=\"8 0 0 1 8 0 0 0 8\" $what\n$two"
 bad 'a flat box' 2 'a side of the box is not above 0; give' "2\nLattice=\"8 0 0 0 0 0 0 0 8\" $what\n$two"
-bad 'an endless box' 2 'a side of the box is not above 0; give' "2\nLattice=\"inf 0 0 0 8 0 0 0 8\" $what\n$two"
+bad 'an endless box' 2 'a side of the box is not from 1e-50 to 1e50; choose' "2\nLattice=\"inf 0 0 0 8 0 0 0 8\" $what\n$two"
 bad 'no columns told' 2 'no radii; Properties' "2\n$box $pbc\n$two"
 bad 'no positions' 2 'no positions; Properties' "2\n$box Properties=species:S:1:radius:R:1\nA 1\nA 1\n"
 bad 'no radii' 2 'no radii; Properties' "2\n$box Properties=species:S:1:pos:R:3\nA 1 2 3\nA 5 6 7\n"
-bad 'a property of -1 columns' 2 'a property without columns; give' "2\n$box $what:x:R:-1\n$two"
+bad 'a property of -1 columns' 2 'a property without a number of columns; give' "2\n$box $what:x:R:-1\n$two"
 bad 'a word for a position' 4 '6,5 in column 3 is not a number; a decimal point, not a comma' "2\n$full\nA 1 2 3 1\nA 5 6,5 7 1\n"
 bad 'a position that is no number' 4 'a position is not finite; give' "2\n$full\nA 1 2 3 1\nA 5 nan 7 1\n"
 bad 'a radius of 0' 4 'a radius is not above 0; give' "2\n$full\nA 1 2 3 1\nA 5 6 7 0\n"

@@ -46,3 +46,32 @@ counts() { sed 's/number = 700; //; s/mass = [0-9.]*; density = [0-9.]*;/number 
 tell 'or the numbers are given' counts
 plan() { ends 0 "$randpack" plan "$tmp/one.scene" && grep -q '34 bytes' "$tmp/out" && grep -q ' sizes.tsv' "$tmp/out" && grep -q '^modules.* sizes ' "$tmp/out"; }
 tell 'the plan tells of it' plan
+
+# A species as a list, in the scene or in a file, in any order: these particles and no others.
+printf '# beads\rdiameter, count\r4, 10\r3;25 # small\r\r4 5\r' > "$tmp/beads.txt"
+cat > "$tmp/list.scene" <<'END'
+dimension = 3; fraction = 0.3; save = true; make = { method = "rsa"; order = "large first"; };
+species = ( { name = "D"; sizes = { law = "list"; radii = [2, 1.5, 2.0]; counts = [10, 25, 5]; }; }, { name = "E"; radius = 1; number = 7; } );
+measure = { rdf = { reach = 2.0; }; };
+END
+listed() { run list list "$@" && diff <(radii list/pack-0.xyz | uniq -c | tr -s ' ') <(printf ' 25 D 1.5\n 15 D 2\n 7 E 1\n') && [ "$(value fraction "$tmp/list")" = 0.3 ]; }
+tell 'a species is a list of radii and counts' listed
+tell 'or a file of diameters and counts' listed --set "species.[0].sizes={law=\"list\";file=\"$tmp/beads.txt\";}"
+doubled() { run list list --set number=80 --set 'species=({name="D";share=1.0;sizes={law="list";radii=[2,1.5];counts=[15,25];};})' &&
+  diff <(radii list/pack-0.xyz | uniq -c | tr -s ' ') <(printf ' 50 D 1.5\n 30 D 2\n'); }
+tell 'or a law, of which more are made' doubled
+printf 'radius 1\n' > "$tmp/radii.txt"
+tell 'a file that speaks of radii' refused 'radii.txt:1: not a diameter and a number of particles; ' "$randpack" run "$tmp/list.scene" --set "species.[0].sizes={law=\"list\";file=\"$tmp/radii.txt\";}"
+
+# The number from side, box and fraction: the side stays, and the fraction is that of the nearest whole number.
+cat > "$tmp/side.scene" <<'END'
+dimension = 3; side = 200; box = [200, 250.0, 200]; fraction = 0.5; save = true; measure = { rdf = { step = 1; reach = 3.0; }; };
+species = ( { name = "ball"; radius = 12.0; } ); make = { method = "crm"; growth = 0.5; };
+END
+by_side() { run side side && [ "$(value number "$tmp/side")" = 691 ] && awk -F'[" ]' 'NR == 2 { for (k = 2; k <= 10; k += 4) bad += ($k / (k == 6 ? 250 : 200) - 1) ^ 2 > 1e-28
+    exit !!bad }' "$tmp/side/pack-0.xyz" &&
+  awk -v f="$(value fraction "$tmp/side")" 'BEGIN { exit !((f - 691 * 4 / 3 * 3.14159265358979 * 12 ^ 3 / 1e7) ^ 2 < 1e-22) }'; }
+tell 'side, box and fraction give the number' by_side
+mixed_side() { run side side --set 'species=({name="L";radius=12;volume=1;},{name="S";radius=6;volume=1;})' --set fraction=0.3 && [ "$(value number "$tmp/side")" = 1865 ]; }
+tell 'of shares of the volume, too' mixed_side
+exit $failed

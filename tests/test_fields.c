@@ -30,6 +30,7 @@ static void test_lines(void) {
       {"a=\"say \\\"b=2\\\" \\\\ twice\" b=3", "a|say \"b=2\" \\ twice;b|3;"},
       {"\"a key\"=1 'b'='2'", "a key|1;b|2;"},
       {"a=[[1, 2], [3, 4]] b={x y}", "a|[[1, 2], [3, 4]];b|{x y};"},
+      {"a=[\"x]\", \"y z\"] b=1", "a|[\"x]\", \"y z\"];b|1;"},
       {"a= b=1", "a|b=1;"},
       {"a=", "a|;"},
       {"===", "|==;"},
@@ -41,7 +42,7 @@ static void test_lines(void) {
     gsl_test(wrong || strcmp(text, cases[k][1]) != 0, "%s: %s", cases[k][0], text);
   }
   gsl_test(!flat("a=\"b", text) || !flat("\"a", text) || !flat("a='b\"", text), "a quote must end");
-  gsl_test(!flat("a=[1, 2", text) || !flat("a=1]", text), "a bracket must end");
+  gsl_test(!flat("a=[1, 2", text) || !flat("a=1]", text) || !flat("a=] b=2 c=[", text), "a bracket must end");
 }
 
 /* Whatever the line holds, no byte beyond: the sanitizer looks on. Written with quotes, the fields come back. */
@@ -94,8 +95,9 @@ static void test_values(void) {
   static const struct {
     const char *word;
     double value;
-  } good[] = {{"1", 1}, {"-1.5", -1.5}, {".5", 0.5}, {"1e3", 1000}, {"1.5D+02", 150}, {"2d0", 2}, {"-3.D-1", -0.3}, {"0x10", 16}, {"inf", INFINITY}};
-  static const char *const bad[] = {"", "x", "1x", "1,5", "1d", "1D+", "1 2", "--1", "d3", "1e5d3"};
+  } good[] = {{"1", 1}, {"-1.5", -1.5}, {".5", 0.5}, {"1e3", 1000}, {"1.5D+02", 150}, {"2d0", 2}, {"-3.D-1", -0.3}, {"0x10", 16}, {"inf", INFINITY},
+      {"0000000000000000000000000000000000000000000000000000000000000000000001.5D3", 1500}};
+  static const char *const bad[] = {"", " 1", "\f1", "x", "1x", "1,5", "1d", "1D+", "1 2", "--1", "d3", "1e5d3"};
   double v[4], x;
   bool t[3];
   for (size_t k = 0; k < sizeof good / sizeof *good; k++)
@@ -103,6 +105,8 @@ static void test_values(void) {
   for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
     gsl_test(fields_number(bad[k], &x), "no number: %s", bad[k]);
   gsl_test(fields_numbers("[[1, 2],[3 , 4.5]]", v, 4) != 4 || v[0] != 1 || v[3] != 4.5, "a matrix");
+  gsl_test(fields_numbers("0.00000000000000000000000000000000000000000000000000000000000000000025e3 7", v, 4) != 2 || v[0] != 2.5e-64 || v[1] != 7,
+           "a number of more than sixty letters, with its exponent");
   gsl_test(fields_numbers(" 1 2 ", v, 4) != 2 || v[1] != 2, "a row");
   gsl_test(fields_numbers("1 2 3 4 5", v, 4) != 5, "more than there is room for");
   gsl_test(fields_numbers("1 b", v, 4) != -1 || fields_numbers("", v, 4) != 0, "no row, and an empty one");

@@ -26,7 +26,9 @@ static void test_first(void) {
 }
 
 static void test_long(void) {
-  Outcome out = {0};
+  Outcome line = {0}, out = {0};
+  outcome_set(&line, WRONG, "a\nname\r\t; is one");
+  gsl_test_str(line.text, "a?name??; is one", "one line");
   char text[4000];
   memset(text, 'x', sizeof text - 1);
   text[sizeof text - 1] = '\0';

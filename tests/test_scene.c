@@ -198,6 +198,23 @@ static void test_long_numbers(void) {
   gsl_test(read_text(text, NULL, 0, &out) || out.status != WRONG, "a seed beyond 2^53 is refused");
 }
 
+/* Whole and real numbers in one array, which a comment or a word does not make. */
+static void test_mixed(void) {
+  Outcome out;
+  Scene *s = read_text("dimension = 3; species = ( { radius = 1; number = 50; } ); fraction = 0.2;\n"
+                       "box = [1, /* ] 2.5 */ 2, 2.5e0]; make = { method = \"rsa\"; };\n", NULL, 0, &out);
+  gsl_test(!s || s->box[0] != 1 || s->box[1] != 2 || s->box[2] != 2.5, "a mixed array is one of reals (%s)", out.text);
+  scene_free(&s);
+  s = read_text("dimension = 3; species = ( { radius = 1; number = 50; } ); fraction = 0.2; make = { method = \"rsa\"; };\n"
+                "sweep = ( { key = \"seed\"; values = [12345678901, 7 /* 1.5 */]; } );\n", NULL, 0, &out);
+  gsl_test(!s || s->seed != 12345678901 || s->next->seed != 7, "whole numbers stay whole (%s)", out.text);
+  scene_free(&s);
+  s = read_text("dimension = 2; species = ( { radius = 1; number = 5; } ); fraction = 0.2; make = { method = \"rsa\"; };\n"
+                "sweep = ( { key = \"make.order\"; values = [\"random\", \"large first\"]; }, { key = \"fraction\"; values = [.1, 0.25]; } );\n", NULL, 0, &out);
+  gsl_test(!s || s->fraction != 0.1 || s->next->fraction != 0.25, "words and reals (%s)", out.text);
+  scene_free(&s);
+}
+
 static void test_fits(void) {
   Scene *s = scene(plain);
   Box box = {3, {24, 24.5, 23}};
@@ -262,6 +279,7 @@ int main(void) {
   test_shares();
   test_settings();
   test_long_numbers();
+  test_mixed();
   test_fits();
   test_growth();
   test_sweep();

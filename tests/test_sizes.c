@@ -351,6 +351,37 @@ static void test_check(void) {
     refused(s + k, part[k]);
 }
 
+/* A list: these radii, as many as it counts; twice as many; and a law of others. */
+static void test_list(void) {
+  static const double size[] = {0.1, 0.3, 0.7, 1.9}, count[] = {3, 0, 5, 2};
+  double radius[20], number, volume;
+  for (int dim = 2; dim <= 3; dim++) {
+    Sizes list = {.law = SIZES_LIST, .dim = dim, .sieves = 4, .size = size, .passing = count};
+    Outcome out = {0};
+    double sum = 0;
+    int wrong = 0;
+    gsl_test_int(sizes_check(&list, &out), DONE, "%d-D, a list is a law (%s)", dim, out.text);
+    sizes_fill(&list, 10, radius);
+    for (int i = 0; i < 10; i++) {
+      wrong += radius[i] != (i < 3 ? 0.1 : i < 8 ? 0.7 : 1.9);
+      sum += pow(radius[i], dim);
+    }
+    gsl_test_int(wrong, 0, "%d-D, a list of ten is these ten", dim);
+    gsl_test_rel(sizes_mean_volume(&list), sum / 10, 1e-15, "%d-D, a list: mean volume", dim);
+    sizes_compare(&list, radius, 10, &number, &volume);
+    gsl_test(number > 1e-15 || volume > 1e-15, "%d-D, a list: shares %g %g", dim, number, volume);
+    gsl_test_rel(sizes_passing(&list, 0.5), 3 * pow(0.1, dim) / sum, 1e-14, "%d-D, a list: share of the volume", dim);
+    sizes_fill(&list, 20, radius);
+    gsl_test(radius[5] != 0.1 || radius[6] != 0.7 || radius[15] != 0.7 || radius[16] != 1.9, "%d-D, a list: twice as many", dim);
+    sizes_fill(&list, 3, radius);
+    gsl_test(radius[0] != 0.1 || radius[1] != 0.7 || radius[2] != 1.9, "%d-D, a list: three of its parts", dim);
+  }
+  Sizes none = {.law = SIZES_LIST, .dim = 3, .sieves = 2, .size = size + 1, .passing = count + 1};
+  Outcome out = {0};
+  none.sieves = 1;
+  gsl_test(sizes_check(&none, &out) != WRONG || !strstr(out.text, "no particle; "), "a list of nobody: %s", out.text);
+}
+
 int main(void) {
   static const size_t counts[] = {1, 2, 7, 1000, N};
   for (int dim = 2; dim <= 3; dim++) {
@@ -367,6 +398,7 @@ int main(void) {
   test_lognormal();
   test_power();
   test_sieve();
+  test_list();
   test_one_size();
   test_check();
   return gsl_test_summary();

@@ -98,7 +98,7 @@ static void round_trip(int dim, const Species species[], int kinds, bool own, co
 
 static void test_round_trips(void) {
   static const Species one[] = {{"sphere", 0.1, 211}};
-  static const Species many[] = {{"AP", 1.0 / 3, 70}, {"an-odd_name.with:31~characters!", 1e-30, 90}, {"7", 2e17, 40}};
+  static const Species many[] = {{"AP", 1.0 / 3, 70}, {"an-odd_name.with:31~characters!", 1e-30, 90}, {"\"7\\[=", 2e17, 40}};
   for (int dim = 2; dim <= 3; dim++) {
     round_trip(dim, one, 1, false, "one species");
     round_trip(dim, many, 3, false, "three species");
@@ -125,7 +125,7 @@ static Shape *some_polygon(Rng *rng, int n) {
 
 static void test_shapes(void) {
   Rng rng = rng_stream(12, 0, RNG_TEST);
-  Species kinds[] = {{"P", 2.5, 40, shape_regular(5)},      {"a=b", 0.1, 30, shape_superellipse(1.5, 1.5)},
+  Species kinds[] = {{"P]\"\\", 2.5, 40, shape_regular(5)},      {"a=b\"\\", 0.1, 30, shape_superellipse(1.5, 1.5)},
                      {"a", 1.0 / 3, 50, some_polygon(&rng, 7)}, {"disc", 1e-3, 11, NULL},
                      {"rhombus", 7, 3, shape_superellipse(1.7, 0.5)}, {"needle", 1, 9, shape_superellipse(0.02, 50)}};
   round_trip(2, kinds, 1, false, "pentagons");
@@ -178,7 +178,7 @@ static void test_viewers(void) {
   for (int l = 0; l < 5; l++)
     gsl_test(!fgets(line[l], sizeof line[l], file), "line %d is there", l + 1);
   fclose(file);
-  gsl_test(!strstr(line[1], "radius:R:1:angle:R:1:orientation:R:4:aspherical_shape:R:3:superquadric_roundness:R:2 pbc=\"T T F\" "
+  gsl_test(!strstr(line[1], " Properties=type:S:1:pos:R:3:radius:R:1:angle:R:1:orientation:R:4:aspherical_shape:R:3:superquadric_roundness:R:2 pbc=\"T T F\" "
                             "shape_S=\"superellipse:1.5:1.25\" shape_P=\"polygon:4\" randpack_species=\"S:2.5 P:1.5 D:1\"\n"), "columns and shapes: %s", line[1]);
   snprintf(wanted, sizeof wanted, " 0 0 0.5 0.866025404 %.9g %.9g 2.5 0.8 1\n", 2.5 * kinds[0].shape->a, 2.5 * kinds[0].shape->b);
   gsl_test(!strstr(line[2], wanted), "a superellipse turned by a third of pi: %s", line[2]);
@@ -219,7 +219,16 @@ static void test_reading_shapes(void) {
 
 static void test_reading(void) {
   Outcome out;
-  Pack *pack = read_text("0\n" HEAD "\n", &out);
+  static const Species none[] = {{"nobody", 0.3, 0}};
+  Box box = {3, {2, 3, 4}};
+  Pack *pack = pack_alloc(&box, none, 1, false);
+  write_to(path, pack, "");
+  pack_free(&pack);
+  out = (Outcome){0};
+  pack = files_read(path, NULL, &out);
+  gsl_test(!pack || strcmp(pack->species->name, "nobody") != 0 || pack->species->radius != 0.3, "no particle: species (%s)", out.text);
+  pack_free(&pack);
+  pack = read_text("0\n" HEAD "\n", &out);
   gsl_test(!pack || pack->n != 0 || pack->kinds != 1 || pack->kind || pack->radius, "an empty pack has one species");
   pack_free(&pack);
   pack = read_text("3\n" HEAD "\nB 1 2 3 1\nA 1 2 4 1\nB 1 2 5 1\n", &out);
@@ -388,7 +397,21 @@ static void test_errors(void) {
       {"1\n" HEAD FINITE " Origin=\"1 2 inf\"\nA 1 2 3 1\n", ":2:", "not a point"},
       {"1\n" HEAD FINITE " dimension=4\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
       {"1\n" HEAD FINITE " dimension=two\nA 1 2 3 1\n", ":2:", "neither 2 nor 3"},
-      {"1\n" HEAD FINITE "\nA 1 2 1e308 1\n", ":3:", "too wide"},
+      {"1\n" HEAD FINITE "\nA 1 2 1e308 1\n", ":3:", "a position is beyond 1e50"},
+      {"1\n" HEAD "\nA 1 2 1e11 1\n", ":3:", "1e9 boxes away"},
+      {"1\n" HEAD "\nA 1 2 3 1e60\n", ":3:", "a radius is not from"},
+      {"1\n" HEAD "\nA 1 2 3 1e-60\n", ":3:", "a radius is not from"},
+      {"1\nLattice=\"1e60 0 0 0 1e60 0 0 0 1e60\" Properties=pos:R:3:radius:R:1\n1 2 3 1\n", ":2:", "a side of the box is not from"},
+      {"1\nProperties=pos:R:3:radius:R:1\n1e30 2 3 1\n", ":3:", "too far from 0, for"},
+      {"2\nProperties=pos:R:3:radius:R:1\n0 0 0 1\n1 1 1e50 1\n", ":4:", "too far from 0, for"},
+      {"3\n" HEAD " pbc=\"T T F\"\nA 1 2 6e-7 1\nA 1 4 0 1\nA 1 6 -6e-7 1\n", ":5:", "z is not constant"},
+      {"3\n" HEAD " pbc=\"T T F\"\nA 1 4 0 1\nA 1 2 6e-7 1\nA 1 6 -6e-7 1\n", ":5:", "z is not constant"},
+      {"1\n" HEAD ":v:R\nA 1 2 3 1\n", ":2:", "without a number of columns"},
+      {"1\n" HEAD ":v:R:2x\nA 1 2 3 1\n", ":2:", "without a number of columns"},
+      {"1\n" HEAD ":v:R:9223372036854775807\nA 1 2 3 1\n", ":2:", "without a number of columns"},
+      {"1\n" HEAD ":v:R:9996\nA 1 2 3 1\n", ":2:", "without a number of columns"},
+      {"1\n" HEAD " randpack_species=\"A:1 A:2\"\nA 1 2 3 1\n", ":2:", "told twice"},
+      {"1\na=] " HEAD " b=[\nA 1 2 3 1\n", ":2:", "a bracket without its partner"},
       {"1\n" SHAPED "\nA 1 2 0 1 inf\n", ":3:", "an angle is not finite"},
       {"1\n" SHAPED "\nA 1 2 0 1 x\n", ":3:", "not a number"},
       {"2\n" FLAT "\nA 1 2 0 1 0\nA 1 2 0 1 0\n", ":2:", "angles without a shape"},
