@@ -54,29 +54,32 @@ static void two_way(Bench *bench, const Pack *pack, const double truth[],
   }
 }
 
-/* Pentagons without overlap at .7, and as many again that may overlap. */
+/* Pentagons without overlap at .7, as many again that may overlap, and superellipses without overlap. */
 static void twopoint_seconds(Bench *bench) {
-  static const Form pentagon = {"pentagon", 5, 0, 0};
-  for (int penetrable = 0; penetrable < 2; penetrable++) {
-    const char *label = penetrable ? "penetrable" : "hard";
+  static const struct {
+    const char *label;
+    Form form;
+    size_t n;
+    double fraction, truth;
+    size_t accuracies;
+  } packs[] = {{"hard", {"pentagon", 5, 0, 0}, 407, 0.7, 2e-6, COUNT(two_accuracy)},
+               {"penetrable", {"pentagon", 5, 0, 0}, 819, 1.608, 2e-6, COUNT(two_accuracy)},
+               {"superellipses", {"1.5-2", 0, 1.5, 2}, 407, 0.7, 1e-5, 2}};
+  for (size_t k = 0; k < COUNT(packs); k++) {
     double truth[TWO_RADII];
     Rng rng = rng_stream(SEED, 0, RNG_TEST);
-    Pack *pack = shaped_pack(&pentagon, penetrable ? 819 : 407,
-                             penetrable ? 1.608 : 0.7);
+    Pack *pack = shaped_pack(&packs[k].form, packs[k].n, packs[k].fraction);
     CompressionPlan plan = {.start = 0.3, .each = 1, .sweeps = 1e6};
     CompressionReport report;
-    if (penetrable)
+    if (packs[k].fraction > 1)
       penetrable_throw(pack, false, &rng);
     else
       compression_grow(pack, &plan, &rng, &report, &bench->out);
-    TwoJob exactly = {pack, TWO_EXACT, 2e-6, truth};
+    TwoJob exactly = {pack, TWO_EXACT, packs[k].truth, truth};
     two_run(&exactly);
-    two_way(bench, pack, truth, label, TWO_EXACT, "exact", two_accuracy,
-            COUNT(two_accuracy));
-    two_way(bench, pack, truth, label, TWO_RASTER, "raster", two_points_a_side,
-            COUNT(two_points_a_side));
-    two_way(bench, pack, truth, label, TWO_SEGMENTS, "segments", two_segments,
-            COUNT(two_segments));
+    two_way(bench, pack, truth, packs[k].label, TWO_EXACT, "exact", two_accuracy, packs[k].accuracies);
+    two_way(bench, pack, truth, packs[k].label, TWO_RASTER, "raster", two_points_a_side, COUNT(two_points_a_side));
+    two_way(bench, pack, truth, packs[k].label, TWO_SEGMENTS, "segments", two_segments, COUNT(two_segments));
     pack_free(&pack);
   }
 }

@@ -5,11 +5,12 @@ static const double threepoint_sizes[] = {16384, 65536, 262144, 1048576, 4194304
 static const double threepoint_angle[] = {10};
 enum { TRIANGLES_MOST = 4096, TRIANGLES_LEAST = 256 };
 
-/* S's number of squares in a box of about a hundred. */
-static Pack *threepoint_pack(Bench *bench) {
-  static const Form square = {"square", 4, 0, 0};
+static const Form threepoint_square = {"square", 4, 0, 0}, threepoint_superellipse = {"1.5-2", 0, 1.5, 2};
+
+/* S's number of shapes in a box of about a hundred. */
+static Pack *threepoint_pack(Bench *bench, const Form *form) {
   Rng rng = rng_stream(SEED, 0, RNG_TEST);
-  Pack *pack = shaped_pack(&square, 407, 0.7);
+  Pack *pack = shaped_pack(form, 407, 0.7);
   CompressionPlan plan = {.start = 0.3, .each = 1, .sweeps = 1e6};
   CompressionReport report;
   compression_grow(pack, &plan, &rng, &report, &bench->out);
@@ -40,7 +41,7 @@ static void threepoint_run(void *of) {
 
 /* The root mean square of the errors of all cells. */
 static void threepoint_operations(Bench *bench) {
-  Pack *pack = threepoint_pack(bench);
+  Pack *pack = threepoint_pack(bench, &threepoint_square);
   for (size_t k = 0; k < COUNT(threepoint_sizes); k++) {
     ThreepointJob job = {pack, FEW(threepoint_sizes[k]) < 3
                                    ? threepoint_sizes[0]
@@ -58,7 +59,7 @@ static void threepoint_operations(Bench *bench) {
 }
 
 static void threepoint_seconds(Bench *bench) {
-  Pack *pack = threepoint_pack(bench);
+  Pack *pack = threepoint_pack(bench, &threepoint_square);
   for (size_t k = 0; k < COUNT(threepoint_sizes); k++) {
     ThreepointJob job = {pack, threepoint_sizes[k], false, 0};
     threepoint_run(&job);
@@ -71,5 +72,11 @@ static void threepoint_seconds(Bench *bench) {
     Case one = {"triangles", threepoint_run, &job, job.error};
     measure(bench, "squares", n, 1e4, &one, 1);
   }
+  pack_free(&pack);
+  pack = threepoint_pack(bench, &threepoint_superellipse);
+  ThreepointJob job = {pack, threepoint_sizes[2], false, 0};
+  threepoint_run(&job);
+  Case one = {"shared", threepoint_run, &job, job.error};
+  measure(bench, "superellipses", job.samples, 1e4, &one, 1);
   pack_free(&pack);
 }

@@ -222,25 +222,45 @@ static void test_torus(void) {
   pack_free(&pack);
 }
 
-/* The pieces of one body, and of two discs that cross, are closed and have the area of what they bound. */
+/* Of the pieces of one body, and of two that cross: vectors add up, of points and of halves; points have the area of what they bound,
+   and a chord stands where the points stand in the mean. */
 static void test_pieces(void) {
-  Shape *shape = shape_superellipse(1.7, 3);
-  Body bodies[2] = {{shape, 1.2, 5, 5, 0.8, 0.6}, {NULL, 0.9, 6, 5.3, 1, 0}};
-  for (size_t n = 1; n <= 2; n++)
-    for (double bulge = 1e-3; bulge > 1e-5; bulge /= 16) {
-      size_t pieces;
-      double x = 0, y = 0, area = 0;
-      CoverPiece *piece = cover_boundary(bodies, n, NULL, bulge, &pieces);
+  Shape *shape[] = {shape_superellipse(1.7, 3), shape_superellipse(1, 0.6), shape_superellipse(2, 0.8), shape_superellipse(1.3, 40)};
+  for (int c = 0; c < 8; c++) {
+    Body bodies[2] = {{shape[c % 4], 1.2, 5, 5, 0.8, 0.6}, {NULL, 0.9, 6, 5.3, 1, 0}};
+    size_t n = 1 + (size_t)c / 4;
+    for (double bulge = 1e-2; bulge > 1e-4; bulge /= 16) {
+      size_t pieces, parts = 0;
+      double area = 0, x = 0, y = 0, off = 0, out = 0;
+      CoverArc *arc = cover_arcs(bodies, n, NULL, bulge, &pieces);
       for (size_t i = 0; i < pieces; i++) {
-        x += piece[i].ex;
-        y += piece[i].ey;
-        area += 0.5 * (piece[i].x * piece[i].ey - piece[i].y * piece[i].ex);
+        const CoverArc *e = &arc[i], *f = e + 1, *g = f + e->all / 2;
+        CoverPoint sum = {0};
+        double across = 0, square = e->ex * e->ex + e->ey * e->ey;
+        for (int k = 0; k < COVER_POINTS; k++) {
+          const CoverPoint *p = &e->point[k];
+          area += e->all > 1 ? 0 : 0.5 * ((e->x + p->x) * p->ey - (e->y + p->y) * p->ex);
+          across += (e->ex * p->y - e->ey * p->x) * (e->ex * p->ex + e->ey * p->ey) / square;
+          sum.ex += p->ex, sum.ey += p->ey;
+        }
+        out = GSL_MAX(out, fabs(across));
+        off = GSL_MAX(off, fabs(sum.ex - e->ex) + fabs(sum.ey - e->ey));
+        if (e->all > 1)
+          off = GSL_MAX(off, fabs(f->ex + g->ex - e->ex) + fabs(f->ey + g->ey - e->ey) + fabs((double)(f->all + g->all + 1 - e->all)));
+        else
+          x += e->ex, y += e->ey, parts++;
       }
-      gsl_test_abs(fabs(x) + fabs(y), 0, 1e-12, "pieces of %d bodies are closed", (int)n);
-      gsl_test_rel(area, cover_area(bodies, n, NULL, NULL), 5 * bulge * bulge, "pieces of %d bodies have their area", (int)n);
-      free(piece);
+      double exact = cover_area(bodies, n, NULL, NULL);
+      gsl_test_abs(fabs(x) + fabs(y), 0, 1e-12, "pieces are closed, %d", c);
+      gsl_test_abs(off, 0, 1e-13, "points and halves make up an arc, %d", c);
+      gsl_test_abs(out, 0, bulge < 1e-3 ? 1e-7 : 1e-4, "a chord stands where the points do, %d", c);
+      gsl_test_rel(area, exact, bulge < 1e-3 ? 1e-8 : 1e-4, "points have the area, %d", c);
+      gsl_test_abs((double)pieces, 15. / 8 * (double)parts, 0, "an arc is halved three times, %d", c);
+      free(arc);
     }
-  shape_free(&shape);
+  }
+  for (int k = 0; k < 4; k++)
+    shape_free(&shape[k]);
 }
 
 static void test_edges(void) {

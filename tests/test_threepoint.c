@@ -7,6 +7,7 @@
 #include "penetrable.h"
 #include "points.h"
 #include "threepoint.h"
+#include "twopoint.h"
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
@@ -158,6 +159,44 @@ static void test_identities(void) {
   shape_free(&four);
 }
 
+/* Where two of the three points are one, S3 is S2 of the same pack: an arm of 0, or two arms alike in one direction. With r1 = r2 = 0 it is the fraction. */
+static void test_two(void) {
+  enum { ARMS = 9 };
+  static const double theta[] = {0, 77};
+  Shape *shapes[] = {shape_superellipse(2.2, 1.5), shape_regular(5), NULL};
+  for (int c = 0; c < 6; c++) {
+    int dim = c < 5 ? 2 : 3;
+    bool matrix = c > 2 && c < 5;
+    Species species = {.name = "P", .radius = 1.1, .count = dim == 2 ? 14 : 1, .shape = shapes[c % 3]};
+    Box box = {dim, {7.3, 8.1, 5.9 * (dim - 2)}};
+    Pack *pack = pack_alloc(&box, &species, 1, false);
+    Rng rng = rng_stream(58, (uint64_t)c, RNG_TEST);
+    points_scatter(pack, &rng);
+    points_turn(pack, &rng);
+    ThreepointPlan plan = {ARMS, 0.47, 2, theta, matrix, as_many(1 << 17, 1 << 21), 0, 0};
+    Outcome out = {0};
+    Twopoint *two = twopoint_exact(pack, plan.step, ARMS, false, 1e-5, &out);
+    for (int method = 0; method < 2; method++) {
+      Threepoint *found = (method ? threepoint_triangles : threepoint_shared)(pack, &plan, &rng);
+      double most = 0;
+      for (int k = 0; k < ARMS; k++) {
+        const int cell[4][3] = {{0, 0, k}, {0, k, k}, {1, k, 0}, {1, 0, k}};
+        for (int i = 0; i < 4; i++) {
+          double S3 = at(found, ARMS, cell[i][0], cell[i][1], cell[i][2]);
+          double error = found->error[(cell[i][0] * ARMS + cell[i][1]) * ARMS + cell[i][2]];
+          most = GSL_MAX(most, fabs(S3 - two->S[matrix ? 2 : 0][k]) / GSL_MAX(error, found->rms));
+        }
+      }
+      gsl_test(!(most < 5), "two points of pack %d, %s: off by %.1f errors", c, method ? "triangles" : "shared", most);
+      threepoint_free(&found);
+    }
+    twopoint_free(&two);
+    pack_free(&pack);
+  }
+  shape_free(&shapes[0]);
+  shape_free(&shapes[1]);
+}
+
 /* The volume that three balls of radius 1 share at such places: discs in slices. */
 static double three_balls(double r1, double r2, double theta) {
   double sum = 0, z, weight;
@@ -300,6 +339,7 @@ int main(void) {
   test_one();
   test_penetrable();
   test_identities();
+  test_two();
   test_ball();
   test_errors();
   test_homometric();
