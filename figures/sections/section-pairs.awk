@@ -28,5 +28,5 @@ END {
     if (e[b] > 0 && d / e[b] > sigma) sigma = d / e[b]
     if (r[b] > 2 && !contact) { contact = s[b]; contact_error = e[b] }
   }
-  row("gap", gap, error); row("sigma", sigma, 0); row("bins", m, 0); row("contact", contact, contact_error)
+  row("gap", gap, error); row("sigma", sprintf("%.1f", sigma), 0); row("bins", m, 0); row("contact", contact, contact_error)
 }

@@ -6,6 +6,7 @@ FNR == 2 {
   match($0, /Lattice="[^"]*/); split(substr($0, RSTART + 9, RLENGTH - 9), side, " "); X = side[1]; Y = side[5]; Z = side[9]
   match($0, /Properties=[^ ]*/); n = split(substr($0, RSTART + 11, RLENGTH - 11), property, ":"); at = 1
   for (i = 1; i < n; i += 3) { place[property[i]] = at; at += property[i + 2] }
+  if (!place["species"]) place["species"] = place["type"]
   if (!place["species"] || !place["pos"] || !place["radius"]) { print FILENAME ": no species, pos or radius" > "/dev/stderr"; exit 1 }
   next
 }
