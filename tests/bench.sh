@@ -9,5 +9,6 @@ BENCH_MACHINE="# processor: $(field 'model name'), family $(field 'cpu family'),
 # compiler: $(gcc --version | head -1)
 # date: $(date -u +%Y-%m-%d), load before: $(cut -d' ' -f1 /proc/loadavg)"
 export BENCH_MACHINE
+trap "rm -f data/bench-seconds.tsv.part" EXIT
 build/bench seconds data/bench-seconds.tsv
 build/bench compare data/bench-seconds.tsv

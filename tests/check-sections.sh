@@ -6,7 +6,7 @@ near() { awk -v x="$1" -v y="$2" -v e="$3" 'BEGIN { exit !(x != "" && (x - y) ^ 
 cat > "$tmp/one.scene" <<'END'
 dimension = 3; seed = 5; realizations = 2; fraction = 0.0654498469497873;
 species = ( { name = "A"; radius = 1.0; number = 1; } );
-make = { method = "points"; };
+make = { method = "rsa"; };
 measure = { sections = { planes = 1000; reach = 2.0; width = 0.125; }; };
 END
 one() { ends 0 "$randpack" run "$tmp/one.scene" --out "$tmp/one" &&
@@ -25,6 +25,8 @@ printf 'dimension = 2; unit = 1.0; measure = { sections = { width = 0.25; reach 
 photo() { ends 0 "$randpack" measure "$tmp/photo.xyz" --scene "$tmp/photo.scene" --out "$tmp/photo" && near "$(value section_radius "$tmp/photo")" 1 0.06 &&
   near "$(value section_number "$tmp/photo")" 0.1 0.01 && [ -z "$(value sphere_number "$tmp/photo")" ]; }
 tell 'a micrograph from a file' photo
+overlap() { refused 'sections is of balls and discs that do not overlap' "$randpack" run "$tmp/one.scene" --set 'make.method="points"' --out "$tmp/none"; }
+tell 'overlapping spheres, whose discs would be one, are refused' overlap
 none() { ends 1 "$randpack" run "$tmp/one.scene" --set fraction=1e-6 --set measure.sections.planes=1 --out "$tmp/none" &&
   grep -q 'no plane meets a sphere; give more measure.sections.planes' "$tmp/err"; }
 tell 'no disc at all is said' none
