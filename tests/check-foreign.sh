@@ -38,6 +38,17 @@ sizes() {
     shuffled $from/sizes.xyz "$tmp/t.xyz" && measure t p "$tmp/t.xyz" && diff -r "$tmp/p" "$tmp/t"
 }
 tell 'two hundred sizes, whatever the order of their lines' sizes
+# Those that sample particles, or sum them with rounding, too.
+printf '%s\n' 'dimension = 2; seed = 4; fraction = 0.4; save = true; make = { method = "points"; }; measure = { nearest = {}; };' \
+  'species = ( { name = "P"; radius = 1.0; number = 40; shape = { kind = "polygon"; sides = 5; }; }, { name = "D"; radius = 0.5; number = 30; } );' > "$tmp/thrown.scene"
+printf '%s\n' 'dimension = 2; measure = { surface = { points = 500.0; }; pores = { points = 500.0; }; cluster = { points = 500.0; };' \
+  'S2 = { step = 0.5; reach = 2.0; }; S3 = { step = 1.0; reach = 2.0; samples = 1024.0; }; chords = { lines = 100.0; }; structure = { reach = 4.0; }; covered = {}; };' > "$tmp/all.scene"
+sampled() {
+  ends 0 "$randpack" run "$tmp/thrown.scene" --out "$tmp/thrown" && measure all all "$tmp/thrown/pack-0.xyz" &&
+    turned "$tmp/thrown/pack-0.xyz" "$tmp/t.xyz" && measure t all "$tmp/t.xyz" && diff -r "$tmp/all" "$tmp/t" &&
+    shuffled "$tmp/thrown/pack-0.xyz" "$tmp/t.xyz" && measure t all "$tmp/t.xyz" && diff -r "$tmp/all" "$tmp/t"
+}
+tell 'nor does what samples particles know the order of lines' sampled
 tell 'the unit is told, by name and value' grep -q '^# unit of length a = 0.967512484, the radius of grain$' "$tmp/p/summary.tsv"
 species() {
   turned $from/large-small-2.xyz "$tmp/t.xyz" && sed -i '2s/$/ randpack_species="S:1 L:2"/' "$tmp/t.xyz" &&
