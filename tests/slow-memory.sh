@@ -4,7 +4,7 @@
 . tests/tell.sh
 . tests/small.sh
 command -v valgrind > "$tmp/found" || { echo 'SKIP: valgrind is not installed, so nothing was run under it'; exit; }
-export RANDPACK_SIMD=avx2 OMP_NUM_THREADS=1
+export RANDPACK_SIMD=avx2 OMP_NUM_THREADS=1 RANDPACK_MEMORY=1
 clean() { # clean NAME COMMAND...: whatever it finds itself, valgrind finds nothing
   local name=$1
   shift

@@ -25,7 +25,7 @@ static void test_covariances(void) {
   /* An ellipse is a disc that is stretched: its covariance in one direction is that of a disc. */
   for (double r = 0.05; r < 14; r *= 2.1) {
     double sum = 0;
-    enum { M = 200000 };
+    const int M = as_many(200000, 200000);
     for (int k = 0; k < M; k++) {
       double t = M_PI * (k + 0.5) / M;
       sum += cluster_ball(2, 1, r * hypot(cos(t) / needle->a, sin(t) / needle->b)) / M;
@@ -74,7 +74,7 @@ static void test_needles(void) {
     }
   for (double r = 0.01; r < 64; r *= 1.31) { /* a stretched disc: by the angle in which it is one */
     double sum = 0;
-    enum { M = 100000 };
+    const int M = as_many(100000, 100000);
     for (int i = 0; i < M; i++) {
       double t = M_PI / 2 * (i + 0.5) / M, s = gsl_pow_2(sin(t)), f = M_PI / 2 * gsl_pow_3(sin(t)); /* crowded at 0 */
       double c = hypot(cos(f) * curve->a, sin(f) * curve->b);
@@ -96,7 +96,7 @@ static void test_needles(void) {
 
 /* |U and (U + r)|, a mean over directions, from the areas of unions. */
 static double covariance(const Pack *pack, const Box *box, double r) {
-  enum { M = 720 };
+  const int M = as_many(720, 720);
   size_t n = pack->n;
   Body *one = cover_bodies(pack), *two = malloc(2 * n * sizeof *two);
   for (size_t i = 0; !box && i < n; i++) { /* about the origin */

@@ -422,13 +422,95 @@ static void test_blocks(void) {
     own[i][1] = i % 2;
   }
   Pack *pack = particles(2, side, N, x, r);
-  microstructure_blocks(pack, (const double(*)[2])own, error);
+  MicrostructurePlan plan = {1e-6, 1};
+  microstructure_blocks(pack, &plan, (const double(*)[2])own, error);
   gsl_test_rel(error[0], sqrt(340 / 240.0) / (1 - pack_fraction(pack)), 1e-12, "blocks");
   gsl_test_abs(error[1], 0, 1e-12, "blocks, all alike");
   pack_free(&pack);
 }
 
+/* ---- finite packs. The hosts of a box once with five copies of it along each axis around them, as a finite pack, and once by Ewald's
+   sums: shaken cells of a lattice, of two sizes. */
+static Pack *cells_at(int dim, const Pack *box, int copies, bool host[]) {
+  double wide = 2.0 * copies * box->box.side[0], side[3] = {wide, wide, wide}, *x, *r;
+  size_t all = (size_t)gsl_pow_int(copies, dim), n = box->n * all;
+  x = malloc(n * (size_t)dim * sizeof *x);
+  r = malloc(n * sizeof *r);
+  for (size_t c = 0, p = 0; c < all; c++) {
+    size_t at[3] = {c % (size_t)copies, c / (size_t)copies % (size_t)copies, c / (size_t)(copies * copies)};
+    bool middle = true;
+    for (int k = 0; k < dim; k++)
+      middle &= at[k] == (size_t)copies / 2;
+    for (size_t i = 0; i < box->n; i++, p++) {
+      for (int k = 0; k < dim; k++)
+        x[p * (size_t)dim + (size_t)k] = wide / 4 + (double)at[k] * box->box.side[0] + box->x[i * (size_t)dim + (size_t)k];
+      r[p] = pack_radius(box, i);
+      host[p] = middle;
+    }
+  }
+  Pack *pack = particles(dim, side, n, x, r);
+  pack->open = wide / 4;
+  free(x);
+  free(r);
+  return pack;
+}
+
+static void test_finite(void) {
+  enum { SIDE = 4, COPIES = 5 };
+  for (int dim = 2; dim <= 3; dim++) {
+    double x[64 * 3], r[64], side[3] = {SIDE, SIDE, SIDE};
+    size_t n = (size_t)gsl_pow_int(SIDE, dim);
+    bool *host = malloc(n * 125 * sizeof *host);
+    Rng rng = rng_stream(16, (uint64_t)dim, RNG_POSITIONS);
+    for (size_t i = 0; i < n; i++) {
+      size_t at[3] = {i % SIDE, i / SIDE % SIDE, i / (SIDE * SIDE)};
+      r[i] = i % 2 ? .3 : .2;
+      for (int k = 0; k < dim; k++)
+        x[i * (size_t)dim + (size_t)k] = (double)at[k] + .3 + .4 * rng_uniform(&rng);
+    }
+    Pack *box = particles(dim, side, n, x, r), *finite = cells_at(dim, box, COPIES, host);
+    Microstructure exact = measured(box, 1e-8, 1, NULL), found;
+    double(*own)[2] = malloc(finite->n * sizeof *own), error[2], last = GSL_POSINF;
+    for (double reach = 2; reach <= 8; reach *= 2) {
+      Outcome out = {0};
+      MicrostructurePlan plan = {1e-6, 1, host, reach, pack_fraction(box)};
+      gsl_test_int(microstructure_balls(finite, &plan, &found, own, &out), DONE, "finite, %d-D, to %g: %s", dim, reach, out.text);
+      double off = GSL_MAX(fabs(found.zeta / exact.zeta - 1), fabs(found.eta / exact.eta - 1));
+      gsl_test(off > last / 2, "finite, %d-D, to %g: off by %.2g, before %.2g", dim, reach, off, last);
+      last = off;
+      microstructure_blocks(finite, &plan, (const double(*)[2])own, error);
+    }
+    gsl_test(last > 2e-3, "finite, %d-D: the same hosts, off by %.2g", dim, last);
+    gsl_test(!(error[0] > 0 && error[0] < 0.5 * found.zeta) && n > 40, "finite, %d-D: error of blocks, %g of %g", dim, error[0], found.zeta);
+    pack_free(&box);
+    pack_free(&finite);
+    free(own);
+    free(host);
+  }
+}
+
+/* Two discs alone, whose shares are a geometric series. */
+static void test_pair_alone(void) {
+  static const double x[] = {18, 20, 20.5, 20}, r[] = {1, 1}, side[3] = {40, 40, 0};
+  bool host[] = {true, false};
+  double own[2][2];
+  Microstructure found;
+  Outcome out = {0};
+  Pack *pack = particles(2, side, 2, x, r);
+  MicrostructurePlan plan = {1e-11, 1, host, 5, 0.25};
+  pack->open = 9;
+  microstructure_balls(pack, &plan, &found, own, &out);
+  gsl_test_rel(own[0][0], 1 / 27.5625, 1e-10, "a pair alone, z");
+  gsl_test_rel(found.zeta, 1 / (27.5625 * 0.75), 1e-10, "a pair alone, zeta by f1");
+  plan.reach = 2.4;
+  microstructure_balls(pack, &plan, &found, own, &out);
+  gsl_test_abs(found.zeta, 0, 0, "a pair alone, beyond the reach");
+  pack_free(&pack);
+}
+
 int main(void) {
+  test_finite();
+  test_pair_alone();
   test_irregular();
   test_error();
   test_error_of_lattices();
