@@ -203,6 +203,16 @@ static void test_waves(void) {
   gsl_test_int(randpack_structure(pack, 1, 4, k, S, error, &out), RANDPACK_DONE, "a structure factor");
   gsl_test(!gsl_isnan(S[0]) || fabs(S[1]) > 1e-12, "no vector below the first, and no power there");
   gsl_test(!(S[3] > 1) || !(k[3] > 3 && k[3] < 4), "the peak at pi is 27");
+  double x[81], T[4];
+  int species[27];
+  for (int i = 0; i < 27; i++)
+    species[i] = i % 3;
+  randpack_to_arrays(pack, x, NULL, NULL);
+  const double six[] = {6, 6, 6};
+  randpack_pack *three = randpack_from_arrays(3, six, 27, x, 1, one, species, &out);
+  randpack_structure(three, 1, 4, NULL, T, NULL, &out);
+  gsl_test_rel(T[3], S[3], 1e-12, "the same of three species, which are summed");
+  randpack_free(three);
   gsl_test_int(randpack_S2(pack, 2, 3, S2, &out), RANDPACK_DONE, "S2");
   gsl_test_abs(S2[0], M_PI / 6, 1e-13, "at 0 is the fraction");
   gsl_test(!(S2[1] > 0 && S2[1] < S2[0]), "and less at 2");
