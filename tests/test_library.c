@@ -313,7 +313,7 @@ static void test_wrong_makers(void) {
   refused(!randpack_lattice("bcc", 4, 1, 0, &out), "cells is 4");
   refused(!randpack_lattice("bcc", -1, 1, 0, &out), "cells is -1");
   refused(!randpack_lattice("bcc", 501, 1, 0, &out), "cells is 501");
-  refused(!randpack_lattice("bcc", 3, 0, 0, &out), "radius[0] is 0");
+  refused(!randpack_lattice("bcc", 3, 0, 0, &out), "radius is 0");
   refused(!randpack_lattice("bcc", 3, 1, 0.7, &out), "fraction is 0.7");
   refused(!randpack_lattice("bcc", 3, 1, GSL_NAN, &out), "fraction is nan");
   refused(!randpack_rsa(3, NULL, 1, forty, one, 0, 1, &out), "side is NULL");
@@ -370,13 +370,13 @@ static void test_wrong_measures(randpack_pack *pack, randpack_pack *finite, rand
   refused(randpack_least_gap(pack, NULL, &out), "gap is NULL");
   refused(randpack_g(pack, 0, 1, 4, v, &out), "ends at 4; at most 3");
   refused(randpack_g(pack, -1, 1, 2, v, &out), "from is -1");
-  refused(randpack_g(pack, 0, 0, 2, v, &out), "step[0] is 0");
+  refused(randpack_g(pack, 0, 0, 2, v, &out), "step is 0");
   refused(randpack_g(pack, 0, 0.1, 0, v, &out), "0 bins");
   refused(randpack_g(pack, 0, 1e-9, (size_t)1 << 30, v, &out), "1073741824 bins");
   refused(randpack_g(pack, 0, 1, 2, NULL, &out), "results is NULL");
   refused(randpack_g(NULL, 0, 1, 2, v, &out), "pack is NULL");
   refused(randpack_g(empty, 0, 1, 8, v, &out), "ends at 8");
-  refused(randpack_K(pack, GSL_NAN, 2, v, &out), "step[0] is nan");
+  refused(randpack_K(pack, GSL_NAN, 2, v, &out), "step is nan");
   refused(randpack_K(pack, 2, 2, v, &out), "ends at 4");
   refused(randpack_K(finite, 1, 2, v, &out), "that repeats");
   refused(randpack_contact(pack, NULL, NULL, &out), "value is NULL");
@@ -389,7 +389,7 @@ static void test_wrong_measures(randpack_pack *pack, randpack_pack *finite, rand
   refused(randpack_structure(pack, 1e6, 8, NULL, v, NULL, &out), "wave vectors");
   refused(randpack_structure(finite, 1, 8, NULL, v, NULL, &out), "that repeats");
   refused(randpack_S2(finite, 1, 8, v, &out), "that repeats");
-  refused(randpack_S2(pack, 0, 8, v, &out), "step[0] is 0");
+  refused(randpack_S2(pack, 0, 8, v, &out), "step is 0");
 }
 
 static void test_wrong_theory(void) {
