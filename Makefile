@@ -333,13 +333,13 @@ GUARDED := $(shell sed -n '/^@ %def guard_[^r]/{s/@ %def//;s/ guard_/ /g;p}' src
 PIC     := $(filter-out -fopenmp,$(CFLAGS)) -fopenmp-simd -Wno-unknown-pragmas -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
 $(B)/lib/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS)
 	@mkdir -p $(@D)
-	@$(CC) $(PIC) $(WARNINGS) $(if $(filter outcome guard,$*),,$(GUARDED:%=-D%=guard_%)) -MMD -MP -I$(B)/c -c $< -o $@
+	@$(CC) $(PIC) $(WARNINGS) $(if $(filter outcome guard,$*),,$(foreach name,$(GUARDED),-D$(name)=guard_$(name))) -MMD -MP -I$(B)/c -c $< -o $@
 -include $(wildcard $(B)/lib/*.d)
 # One object of which only the functions of the header are seen, without what they do not reach.
 $(B)/lib/librandpack.o: $(LIBRARY:%=$(B)/lib/%.o)
 	@echo '  library'
 	@$(CC) -r -nostdlib $^ -Wl,--gc-sections,--gc-keep-exported -o $@.part
-	@objcopy --localize-hidden $@.part $@ && rm $@.part
+	@objcopy --localize-hidden --strip-unneeded $@.part $@ && rm $@.part
 $(B)/lib/librandpack.a: $(B)/lib/librandpack.o
 	@rm -f $@ && ar rcsD $@ $<
 $(B)/lib/librandpack.so: $(B)/lib/librandpack.o
