@@ -375,7 +375,7 @@ install: $(B)/bin/randpack library $(B)/share/randpack.1 $(B)/share/completion #
 	install -d "$(DOCS)/examples"
 	install -m 644 README.md CHANGES CITATION.cff LICENSE "$(DOCS)"
 	install -m 644 examples/*.c examples/*.scene "$(DOCS)/examples"
-	@if [ -e $(B)/paper.pdf ]; then echo 'install -m 644 $(B)/paper.pdf "$(DOCS)'"; install -m 644 $(B)/paper.pdf "$(DOCS)"; \
+	@if [ -e $(B)/paper.pdf ]; then echo 'install -m 644 $(B)/paper.pdf "$(DOCS)"'; install -m 644 $(B)/paper.pdf "$(DOCS)"; \
 	else echo 'without the book: $(B)/paper.pdf is not there; make paper makes it'; fi
 uninstall: ## remove what install has put there
 	rm -f "$(bin)/randpack" "$(shared)/man/man1/randpack.1" "$(shared)/bash-completion/completions/randpack" "$(include)/randpack.h" \
