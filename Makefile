@@ -331,7 +331,10 @@ SONAME  := librandpack.so.0
 LIBRARY := $(shell awk -f src/library/uses.awk $(CHAPTERS:%=src/%.nw))
 GUARDED := $(shell sed -n '/^@ %def guard_[^r]/{s/@ %def//;s/ guard_/ /g;p}' src/library/guard.nw)
 PIC     := $(filter-out -fopenmp,$(CFLAGS)) -fopenmp-simd -Wno-unknown-pragmas -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
-$(B)/lib/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS)
+$(B)/lib/names: COMPILER
+	@mkdir -p $(@D)
+	@echo '$(PIC) $(GUARDED)' | cpif $@
+$(B)/lib/%.o: $(B)/c/%.c $(B)/print/flags $(B)/lib/names | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(PIC) $(WARNINGS) $(if $(filter outcome guard,$*),,$(foreach name,$(GUARDED),-D$(name)=guard_$(name))) -MMD -MP -I$(B)/c -c $< -o $@
 -include $(wildcard $(B)/lib/*.d)

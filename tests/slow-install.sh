@@ -17,7 +17,7 @@ watched() { # the library's own requests alone fail, so that valgrind can keep i
   # shellcheck disable=SC2086
   "$cc" -std=c11 -g -O1 -DWRAP -Wl,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free tests/memory.c -o "$tmp/memory" \
     -I"$root/include" "$root/lib/librandpack.a" $libs &&
-    MOST=${MOST:-60} RANDPACK_SIMD=avx2 valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=all \
+    RANDPACK_SIMD=avx2 valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=all \
       --log-file="$tmp/valgrind" "$tmp/memory" "$tmp/memory.xyz" "$tmp/shapes.xyz" > "$tmp/lack" &&
     [ ! -s "$tmp/valgrind" ] || { head -30 "$tmp/valgrind"; return 1; }
 }

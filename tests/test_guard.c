@@ -134,17 +134,19 @@ static void fit(void *call) {
   gsl_vector *w = guard_gsl_vector_alloc(DATA), *y = guard_gsl_vector_alloc(DATA), *c = guard_gsl_vector_alloc(TERMS);
   gsl_multifit_linear_workspace *work = guard_gsl_multifit_linear_alloc(DATA, TERMS);
   fill(X, w, y);
-  gsl_multifit_wlinear(X, w, y, c, A, &chi, work);
+  guard_gsl_multifit_wlinear(X, w, y, c, A, &chi, work);
   for (size_t k = 0; k < TERMS; k++)
     found[k] = gsl_vector_get(c, k);
-  found[TERMS] = gsl_matrix_get(A, 0, 2);
+  for (size_t k = 0; k < TERMS * TERMS; k++)
+    found[TERMS + k] = gsl_matrix_get(A, k / TERMS, k % TERMS);
+  found[TERMS + TERMS * TERMS] = chi;
   guard_gsl_multifit_linear_free(work);
   guard_gsl_matrix_free(X), guard_gsl_matrix_free(A);
   guard_gsl_vector_free(w), guard_gsl_vector_free(y), guard_gsl_vector_free(c);
 }
 
 static void test_fit(void) {
-  double found[TERMS + 1] = {0}, chi;
+  double found[TERMS + TERMS * TERMS + 1] = {0}, chi;
   gsl_matrix *X = gsl_matrix_alloc(DATA, TERMS), *A = gsl_matrix_alloc(TERMS, TERMS);
   gsl_vector *w = gsl_vector_alloc(DATA), *y = gsl_vector_alloc(DATA), *c = gsl_vector_alloc(TERMS);
   gsl_multifit_linear_workspace *work = gsl_multifit_linear_alloc(DATA, TERMS);
@@ -152,8 +154,10 @@ static void test_fit(void) {
   fill(X, w, y);
   gsl_multifit_wlinear(X, w, y, c, A, &chi, work);
   for (size_t k = 0; k < TERMS; k++)
-    gsl_test(found[k] != gsl_vector_get(c, k), "coefficient %zu of a fit, to the last bit", k);
-  gsl_test(found[TERMS] != gsl_matrix_get(A, 0, 2), "and its covariance");
+    gsl_test_rel(found[k], gsl_vector_get(c, k), 1e-13, "coefficient %zu of a fit", k);
+  for (size_t k = 0; k < TERMS * TERMS; k++)
+    gsl_test_rel(found[TERMS + k], gsl_matrix_get(A, k / TERMS, k % TERMS), 1e-13, "number %zu of its covariance", k);
+  gsl_test_rel(found[TERMS + TERMS * TERMS], chi, 1e-13, "and what is left");
   gsl_multifit_linear_free(work);
   gsl_matrix_free(X), gsl_matrix_free(A);
   gsl_vector_free(w), gsl_vector_free(y), gsl_vector_free(c);
