@@ -89,7 +89,7 @@ if command -v pkg-config > "$tmp/out"; then
 2.875 3.836741'
   first() { (cd "$tmp" && LD_LIBRARY_PATH=$root/lib ./curve | sed -n '1p;17p') | diff - <(printf '2.000 7.128027682\n4.000 1.555057832\n'); }
   tell "Percus and Yevick's curve" first
-  echo 'dimension = 3;' > "$tmp/measured.scene"
+  echo 'dimension = 3; measure = { nearest = {}; };' > "$tmp/measured.scene"
   measured() { ends 0 "$randpack" measure "$tmp/pack.xyz" --scene "$tmp/measured.scene" --out "$tmp/of" && awk -v f="$(value fraction "$tmp/of")" 'BEGIN { exit !((f - 0.58) ^ 2 < 1e-24) }'; }
   tell 'the pack that it wrote has the fraction' measured
 else
