@@ -1,7 +1,7 @@
 /* tests/memory.c: each function of the library without memory. The first request fails, then only the second, and so on until a
    call asks no more often (of more than 64 those that are an eighth farther each time, unless EVERY is set): always an outcome, the pack as it was, and as many blocks as before. Linked with the static library,
-   it has malloc and its kin of its own, which GSL, zlib and stdio use too; with -DWRAP and -Wl,--wrap=calloc,--wrap=realloc,
-   --wrap=aligned_alloc,--wrap=free only those of the library, so that valgrind can look on. */
+   it has malloc and its kin of its own, which GSL, zlib and stdio use too; with -DWRAP and -Wl,--wrap=malloc,--wrap=calloc,
+   --wrap=realloc,--wrap=aligned_alloc,--wrap=free only those of the library, so that valgrind can look on. */
 #include <errno.h>
 #include <randpack.h>
 #include <stdbool.h>
@@ -25,15 +25,22 @@ static bool fails(void) {
 #define THEIR(name) __libc_##name
 #define __libc_aligned_alloc __libc_memalign
 #endif
+void *THEIR(malloc)(size_t size);
 void *THEIR(calloc)(size_t n, size_t size);
 void *THEIR(realloc)(void *old, size_t size);
 void *THEIR(aligned_alloc)(size_t unit, size_t size);
 void THEIR(free)(void *block);
+void *MINE(malloc)(size_t size);
 void *MINE(calloc)(size_t n, size_t size);
 void *MINE(realloc)(void *old, size_t size);
 void *MINE(aligned_alloc)(size_t unit, size_t size);
 void MINE(free)(void *block);
 
+void *MINE(malloc)(size_t size) {
+  void *fresh = fails() ? NULL : THEIR(malloc)(size);
+  live += fresh != NULL;
+  return fresh;
+}
 void *MINE(calloc)(size_t n, size_t size) {
   void *fresh = fails() ? NULL : THEIR(calloc)(n, size);
   live += fresh != NULL;
@@ -53,14 +60,6 @@ void MINE(free)(void *block) {
   live -= block != NULL;
   THEIR(free)(block);
 }
-#ifndef WRAP
-void *__libc_malloc(size_t size);
-void *malloc(size_t size) {
-  void *fresh = fails() ? NULL : __libc_malloc(size);
-  live += fresh != NULL;
-  return fresh;
-}
-#endif
 
 /* --- the calls, each a pack that it makes, or a status */
 static randpack_outcome out;

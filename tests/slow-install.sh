@@ -15,7 +15,7 @@ P 5 5 0 1 0.2
 END
 watched() { # the library's own requests alone fail, so that valgrind can keep its eyes on all others
   # shellcheck disable=SC2086
-  "$cc" -std=c11 -g -O1 -DWRAP -Wl,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free tests/memory.c -o "$tmp/memory" \
+  "$cc" -std=c11 -g -O1 -DWRAP -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free tests/memory.c -o "$tmp/memory" \
     -I"$root/include" "$root/lib/librandpack.a" $libs &&
     RANDPACK_SIMD=avx2 valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=all \
       --log-file="$tmp/valgrind" "$tmp/memory" "$tmp/memory.xyz" "$tmp/shapes.xyz" > "$tmp/lack" &&

@@ -133,6 +133,12 @@ static void test_makers(void) {
   gsl_test_abs(fraction_of(pack), 0.5, 1e-13, "growth ends at the fraction");
   gsl_test(a[0] != 0.5 || a[58] != 1.25, "and at the radii");
   randpack_free(pack);
+  randpack_pack *other = randpack_points(3, cube, 2, number, radius, 4, &out), *again = randpack_points(3, cube, 2, number, radius, 3, &out);
+  double x[177], y[177], z[177];
+  pack = randpack_points(3, cube, 2, number, radius, 3, &out);
+  randpack_to_arrays(pack, x, NULL, NULL), randpack_to_arrays(other, y, NULL, NULL), randpack_to_arrays(again, z, NULL, NULL);
+  gsl_test(x[0] == y[0] || memcmp(x, z, sizeof x) != 0, "each pack has its own seed");
+  randpack_free(pack), randpack_free(other), randpack_free(again);
   pack = randpack_penetrable(square, 1, forty, one, 0.25, 5, &out);
   double covered = 0;
   randpack_covered(pack, &covered, &out);
