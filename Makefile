@@ -49,7 +49,7 @@ SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined -Wno-pass-failed
 B        := build
 
-.PHONY: FRESH COMPILER help deps build try paper draft data atlas check check-slow programs lint mutants bench install clean
+.PHONY: FRESH COMPILER help deps build try paper draft data atlas check check-slow programs lint mutants bench library install uninstall dist clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
@@ -134,7 +134,7 @@ $(B)/san/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 -include $(wildcard $(B)/obj/*.d $(B)/san/*.d)
-$(B)/bin/randpack: $(B)/obj/randpack.o $(OBJECTS)
+$(B)/bin/randpack: $(B)/obj/randpack.o $(filter-out %/guard.o %/library.o,$(OBJECTS))
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 build: $(B)/bin/randpack ## leave build/bin/randpack
@@ -224,7 +224,7 @@ $(B)/figures/%.d: %.gp
 	$(depend)
 $(B)/figures/%.d: %.sh
 	$(depend)
-ifneq ($(filter help deps clean install bench build try lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
+ifneq ($(filter help deps clean install uninstall dist library bench build try lint mutants atlas,$(or $(MAKECMDGOALS),help)),$(or $(MAKECMDGOALS),help))
 -include $(FIGURES:%=$(B)/figures/%.d) $(DERIVED:%=$(B)/derived/%.d)
 endif
 # Plots by gnuplot, checked as they are drawn; drawings of packs by their scripts.
@@ -298,7 +298,7 @@ $(B)/san/all.a: $(MODULES:%=$(B)/san/%.o) $(ENTRIES:%=$(B)/san/%.o) $(REFERENCES
 $(B)/test/%: tests/test_%.c $(B)/san/all.a $(wildcard tests/*.h)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -I$(B)/c -Itests $< $(B)/san/all.a $(LIBS) -o $@
-check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard ## the tests, under 3 minutes
+check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard library ## the tests, under 3 minutes
 	@tests/run $(sort $(wildcard tests/check-*.sh)) $(UNITS:%=$(B)/test/%)
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
@@ -323,10 +323,74 @@ $(B)/bench: $(BENCH) $(wildcard tests/ref_*.c) $(OBJECTS)
 bench: $(B)/bench ## speeds on this machine, recorded under data/
 	@tests/bench.sh
 
-# ---------------------------------------------------------------- the rest
+# ---------------------------------------------------------------- the library
+# The modules that the chapter library uses, compiled once more: as position-independent code without OpenMP, and with the
+# functions that must not end a program replaced by those of the chapter guard, which has their names.
+VERSION := $(shell sed -n 's/^.define TABLE_VERSION "\(.*\)"$$/\1/p' src/scenes/table.nw)
+SONAME  := librandpack.so.0
+LIBRARY := $(shell awk -f src/library/uses.awk $(CHAPTERS:%=src/%.nw))
+GUARDED := $(shell sed -n '/^@ %def guard_[^r]/{s/@ %def//;s/ guard_/ /g;p}' src/library/guard.nw)
+PIC     := $(filter-out -fopenmp,$(CFLAGS)) -fopenmp-simd -Wno-unknown-pragmas -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
+$(B)/lib/names: COMPILER
+	@mkdir -p $(@D)
+	@echo '$(PIC) $(GUARDED)' | cpif $@
+$(B)/lib/%.o: $(B)/c/%.c $(B)/print/flags $(B)/lib/names | $(STAMPS)
+	@mkdir -p $(@D)
+	@$(CC) $(PIC) $(WARNINGS) $(if $(filter outcome guard,$*),,$(foreach name,$(GUARDED),-D$(name)=guard_$(name))) -MMD -MP -I$(B)/c -c $< -o $@
+-include $(wildcard $(B)/lib/*.d)
+# One object of which only the functions of the header are seen, without what they do not reach.
+$(B)/lib/librandpack.o: $(LIBRARY:%=$(B)/lib/%.o)
+	@echo '  library'
+	@$(CC) -r -nostdlib $^ -Wl,--gc-sections,--gc-keep-exported -o $@.part
+	@objcopy --localize-hidden --strip-unneeded $@.part $@ && rm $@.part
+$(B)/lib/librandpack.a: $(B)/lib/librandpack.o
+	@rm -f $@ && ar rcsD $@ $<
+$(B)/lib/librandpack.so: $(B)/lib/librandpack.o
+	@echo 'RANDPACK_0 { global: randpack_*; local: *; };' > $(B)/lib/symbols
+	@$(CC) -shared $< -Wl,-soname,$(SONAME),--version-script=$(B)/lib/symbols,-z,defs -lgsl -lgslcblas -lz -lm -o $@
+library: $(B)/lib/librandpack.a $(B)/lib/librandpack.so ## build/lib/librandpack.a and .so, to be called from C
+
+# ---------------------------------------------------------------- installing
 PREFIX := /usr/local
-install: $(B)/bin/randpack ## to /usr/local/bin, or to bin of PREFIX=...
-	install -D $(B)/bin/randpack $(DESTDIR)$(PREFIX)/bin/randpack
+bin     := $(DESTDIR)$(PREFIX)/bin
+lib     := $(DESTDIR)$(PREFIX)/lib
+shared  := $(DESTDIR)$(PREFIX)/share
+include := $(DESTDIR)$(PREFIX)/include
+DOCS    := $(shared)/doc/randpack
+$(B)/share/randpack.1: share/man $(B)/bin/randpack
+	@mkdir -p $(@D)
+	@share/man $(B)/bin/randpack > $@
+$(B)/share/completion: share/completion $(B)/bin/randpack
+	@mkdir -p $(@D)
+	@share/completion $(B)/bin/randpack > $@
+install: $(B)/bin/randpack library $(B)/share/randpack.1 $(B)/share/completion ## to /usr/local, or to PREFIX=..., within DESTDIR=...
+	install -D -m 755 $(B)/bin/randpack "$(bin)/randpack"
+	install -D -m 644 $(B)/share/randpack.1 "$(shared)/man/man1/randpack.1"
+	install -D -m 644 $(B)/share/completion "$(shared)/bash-completion/completions/randpack"
+	install -D -m 644 $(B)/plain/library.h "$(include)/randpack.h"
+	install -D -m 644 $(B)/lib/librandpack.a "$(lib)/librandpack.a"
+	install -D -m 644 $(B)/lib/librandpack.so "$(lib)/librandpack.so.$(VERSION)"
+	ln -sf librandpack.so.$(VERSION) "$(lib)/$(SONAME)"
+	ln -sf $(SONAME) "$(lib)/librandpack.so"
+	install -d "$(lib)/pkgconfig"
+	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' share/randpack.pc > "$(lib)/pkgconfig/randpack.pc"
+	chmod 644 "$(lib)/pkgconfig/randpack.pc"
+	install -d "$(DOCS)/examples"
+	install -m 644 README.md CHANGES CITATION.cff LICENSE "$(DOCS)"
+	install -m 644 examples/*.c examples/*.scene "$(DOCS)/examples"
+	@if [ -e $(B)/paper.pdf ]; then echo 'install -m 644 $(B)/paper.pdf "$(DOCS)"'; install -m 644 $(B)/paper.pdf "$(DOCS)"; \
+	else echo 'without the book: $(B)/paper.pdf is not there; make paper makes it'; fi
+uninstall: ## remove what install has put there
+	rm -f "$(bin)/randpack" "$(shared)/man/man1/randpack.1" "$(shared)/bash-completion/completions/randpack" "$(include)/randpack.h" \
+	  "$(lib)/librandpack.a" "$(lib)/librandpack.so.$(VERSION)" "$(lib)/$(SONAME)" "$(lib)/librandpack.so" "$(lib)/pkgconfig/randpack.pc"
+	rm -rf "$(DOCS)"
+# The same bytes from any clone: files by name, of one owner and one time.
+dist: ## build/randpack-VERSION.tar.gz, which builds and is tested without git
+	@mkdir -p $(B)
+	@{ if [ -e .git ]; then git ls-files; else find . -path ./$(B) -prune -o -type f -print | sed 's|^\./||'; fi; } | LC_ALL=C sort > $(B)/dist.list
+	@tar cf - --format=ustar --mtime=@$(SOURCE_DATE_EPOCH) --owner=0 --group=0 --numeric-owner --mode=u+rw,go-w,a+rX \
+	  --transform='s|^|randpack-$(VERSION)/|' -T $(B)/dist.list | gzip -n -9 > $(B)/randpack-$(VERSION).tar.gz
+	@echo '$(B)/randpack-$(VERSION).tar.gz'
 endif
 clean: ## remove build/
 	rm -rf $(B)

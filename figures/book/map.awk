@@ -1,12 +1,16 @@
 # figures/book/map.awk: places for the modules, and arrows from each to those it includes, without those that
-# follow from others. Reads the chapters (for the parts) and the tangled *.[ch] (for the includes).
+# follow from others. A part of few modules has the next one below it. Reads the chapters (for the parts) and the tangled *.[ch] (for the includes).
 FILENAME ~ /\.nw$/ {
   if ($0 ~ /^\\part\{/) { next_part = $0; gsub(/^\\part\{|\}.*$/, "", next_part) }
   if ($0 ~ /^<<\[\[[a-z_]+\.c\]\]>>=/ && !(FILENAME in seen)) {
     seen[FILENAME] = 1; m = $0; gsub(/^<<\[\[|\.c.*$/, "", m)
     if (m == "randpack") next
-    if (next_part != "") { title[++part] = next_part; next_part = "" } # a part without modules has no column
-    col[m] = part; row[m] = rows[part]++; order[++n] = m
+    if (next_part != "") { # a part without modules has no column
+      title[++part] = next_part; next_part = ""
+      if (part > 1 && size[part - 1] < 10 && !below) { below = 1; rows[column]++ } else { below = 0; column++ }
+      at[part] = column; top[part] = rows[column] + 0
+    }
+    size[part]++; col[m] = column; row[m] = rows[column]++; order[++n] = m
   }
   next
 }
@@ -39,5 +43,5 @@ END {
     }
   }
   for (i = 1; i <= n; i++) print "module\t" x(order[i]) "\t" y(order[i]) "\t0\t0\t" order[i]
-  for (i = 1; i <= part; i++) if (rows[i]) print "part\t" (i - 1) * 2 "\t0.75\t0\t0\t" title[i]
+  for (i = 1; i <= part; i++) print "part\t" (at[i] - 1) * 2 "\t" 0.75 - top[i] * 0.8 "\t0\t0\t" title[i]
 }
