@@ -13,11 +13,11 @@ tell 'discs' make flat "dimension = 2; seed = 4; box = [1.0, 1.5]; fraction = 0.
 tell 'spheres with radii of their own' make own 'dimension = 3; seed = 5; number = 150; fraction = 0.25; save = true;
   species = ( { name = "1"; radius = 1.0; share = 1.0; sizes = { law = "lognormal"; spread = 0.3; }; } ); make = { method = "rsa"; order = "large first"; };'
 tell 'a finite pack' make heap 'dimension = 3; seed = 6; species = ( { name = "1"; radius = 1.0; number = 150; } ); make = { method = "gravity"; }; save = true;'
-tell 'shapes' make shapes 'dimension = 2; seed = 7; fraction = 0.4; save = true; make = { method = "rsa"; };
+tell 'shapes' make shapes 'dimension = 2; seed = 7; fraction = 0.4; save = true; make = { method = "sequential"; };
   species = ( { name = "P"; radius = 1.0; number = 20; shape = { kind = "polygon"; sides = 5; }; },
               { name = "D"; radius = 0.5; number = 20; },
               { name = "S"; radius = 0.8; number = 20; shape = { kind = "superellipse"; aspect = 1.7; m = 2.5; }; } );'
-tell 'ellipses' make ellipses 'dimension = 2; seed = 8; fraction = 0.3; save = true; make = { method = "rsa"; };
+tell 'ellipses' make ellipses 'dimension = 2; seed = 8; fraction = 0.3; save = true; make = { method = "sequential"; };
   species = ( { name = "E"; radius = 1.0; number = 30; shape = { kind = "superellipse"; aspect = 2.0; m = 1.0; }; }, { name = "D"; radius = 0.5; number = 10; } );'
 sides() { sed -n '2s/.*Lattice="\([^"]*\)".*/\1/p' "$1" | awk '{ print $1, $5, $9 }'; }
 side() { sides "$1" | cut -d' ' -f1; }
@@ -108,10 +108,11 @@ tell 'discs of two sizes too' back flat 2 0 csv data xyz
 tell 'and radii of their own' back own 3 0 csv data xyz txt dat xyzr
 one_name() { sed '3,$s/^[^ ]*/A/; 2s/randpack_species="[^"]*"//' "$tmp/$1.xyz" > "$tmp/$1-A.xyz"; }
 tell 'lists without species, as a pack without' eval 'one_name deep && back deep-A 3 0 txt dat xyzr && one_name flat && back flat-A 2 0 txt'
+printf 'dimension = 3; unit = 1.0; inside = 1.0; measure = { rdf = { step = 0.5; reach = 2.5; }; nearest = {}; };\n' > "$tmp/heap.scene"
 finite() { # without the radius that only xyz keeps
-  sed '2s/Lattice="[^"]*"//; 2s/open=[^ ]*//' "$tmp/heap.xyz" > "$tmp/bare.xyz" && measured want m3 "$tmp/bare.xyz" || return 1
-  for f in csv txt; do convert "$tmp/heap.xyz" "$tmp/heap.$f" && measured got m3 "$tmp/heap.$f" && same want got 1e-9 || { echo $f; return 1; }; done
-  measured want m3 "$tmp/heap.xyz" && convert "$tmp/heap.xyz" "$tmp/again.xyz" && measured got m3 "$tmp/again.xyz" && same want got 0
+  sed '2s/Lattice="[^"]*"//; 2s/open=[^ ]*//' "$tmp/heap.xyz" > "$tmp/bare.xyz" && measured want heap "$tmp/bare.xyz" || return 1
+  for f in csv txt; do convert "$tmp/heap.xyz" "$tmp/heap.$f" && measured got heap "$tmp/heap.$f" && same want got 1e-9 || { echo $f; return 1; }; done
+  measured want heap "$tmp/heap.xyz" && convert "$tmp/heap.xyz" "$tmp/again.xyz" && measured got heap "$tmp/again.xyz" && same want got 0
 }
 tell 'a finite pack, about its middle' finite
 digits() { diff <(awk 'NR > 2 { print $2 "," $3 "," $4 "," $5 "," $1 }' "$tmp/deep.xyz") <(tail -n +2 "$tmp/deep.csv"); }
@@ -130,7 +131,7 @@ axes() { # the areas of the ellipses, and their quaternions
     on == 1 && NF == 7 { bad += $3 != 1; type[$1] = $2; n++ }
     on == 2 && NF == 8 { d = $2 * $3 / 4 - (type[$1] == 2 ? 1 : 0.25); r = $2 / $3 - (type[$1] == 2 ? 2 : 1); q = $5 ^ 2 + $8 ^ 2 - 1
       bad += d ^ 2 + r ^ 2 + q ^ 2 > 1e-24 || $6 != 0 || $7 != 0; m++ } END { exit !(n == 40 && m == 40 && !bad) }' "$tmp/e.data" &&
-    diff <(awk 'NR > 2 { printf "%.8f %.8f\n", $10, $9 }' "$tmp/ellipses.xyz") <(awk 'NF == 8 { printf "%.8f %.8f\n", $5, $8 }' "$tmp/e.data")
+    diff <(awk 'NR > 2 { printf "%.7f %.7f\n", $10, $9 }' "$tmp/ellipses.xyz") <(awk 'NF == 8 { printf "%.7f %.7f\n", $5, $8 }' "$tmp/e.data")
 }
 tell 'ellipses have axes and quaternions' axes
 
@@ -143,10 +144,10 @@ points() {
 }
 tell 'VTU has points, radii and the box' points
 polygons() { # area of each cell by its corners against pi radius^2
-  convert "$tmp/shapes.xyz" "$tmp/shapes.vtu" && paste <(array offsets "$tmp/shapes.vtu") <(array radius "$tmp/shapes.vtu") <(array species "$tmp/shapes.vtu") > "$tmp/cells" &&
+  convert "$tmp/shapes.xyz" "$tmp/shapes.vtu" && paste <(array offsets "$tmp/shapes.vtu") <(array radius "$tmp/shapes.vtu") <(array species "$tmp/shapes.vtu" | tail -n 60) > "$tmp/cells" &&
     array Points "$tmp/shapes.vtu" | awk 'NR == FNR { n++; end[n] = $1; r[n] = $2; kind[n] = $3; next } { x[p + 0] = $1; y[p + 0] = $2; p++ }
       END { for (c = 1; c <= n; c++) { from = end[c - 1] + 0; a = 0; for (k = from; k < end[c]; k++) { m = k + 1 < end[c] ? k + 1 : from; a += (x[k] * y[m] - x[m] * y[k]) / 2 }
-        off = 1 - a / (3.14159265358979 * r[c] ^ 2); want = kind[c] == 1 ? 1 - 64 * sin(2 * 3.14159265358979 / 64) / (2 * 3.14159265358979) : kind[c] == 2 ? 0 : off > 0 && off < 0.003 ? off : 1
+        off = 1 - a / (3.14159265358979 * r[c] ^ 2); want = kind[c] == 1 ? 1 - 64 * sin(2 * 3.14159265358979 / 64) / (2 * 3.14159265358979) : kind[c] == 2 ? 0 : off > 0 && off < 0.006 ? off : 1
         bad += (off - want) ^ 2 > 1e-18; seen[kind[c]]++ } exit !(n == 60 && !bad && seen[1] == 20 && seen[2] == 20 && seen[3] == 20) }' "$tmp/cells" -
 }
 tell 'shapes are polygons of their areas' polygons
@@ -182,8 +183,8 @@ header() {
 tell 'the header of NRRD tells sizes, spacing and labels' header
 three() { # three formats, the same bytes
   convert "$tmp/deep.xyz" "$tmp/v.nrrd" --cells 20x24x31 && convert "$tmp/deep.xyz" "$tmp/v.raw" --cells 20x24x31 && convert "$tmp/deep.xyz" "$tmp/v.vti" --cells 20x24x31 || return 1
-  [ "$(wc -c < "$tmp/v.raw")" = 14880 ] && tail -c 14880 "$tmp/v.nrrd" | cmp - "$tmp/v.raw" && head -c -$((14880 + 29)) "$tmp/v.vti" | tail -c 9 | od -An -tx1 | grep -q '5f 20 3a 00 00 00 00 00 00' &&
-    tail -c $((14880 + 29)) "$tmp/v.vti" | head -c 14880 | cmp - "$tmp/v.raw" && grep -aq 'WholeExtent="0 20 0 24 0 31"' "$tmp/v.vti" &&
+  [ "$(wc -c < "$tmp/v.raw")" = 14880 ] && tail -c 14880 "$tmp/v.nrrd" | cmp - "$tmp/v.raw" && head -c -$((14880 + 28)) "$tmp/v.vti" | tail -c 9 | od -An -tx1 | grep -q '5f 20 3a 00 00 00 00 00 00' &&
+    tail -c $((14880 + 28)) "$tmp/v.vti" | head -c 14880 | cmp - "$tmp/v.raw" && grep -aq 'WholeExtent="0 20 0 24 0 31"' "$tmp/v.vti" &&
     grep -qx 'data file: v.raw' "$tmp/v.nhdr" && [ "$(field sizes "$tmp/v.nhdr")" = '20 24 31' ]
 }
 tell 'VTI, NRRD and raw have the same voxels' three
@@ -241,7 +242,7 @@ small() { # micrometres in metres
   awk 'NR == 2 { split($0, w, "\""); split(w[2], v, " "); for (k = 1; k <= 9; k++) v[k] *= 1e-6; printf "Lattice=\"%.17g 0 0 0 %.17g 0 0 0 %.17g\" Properties=type:S:1:pos:R:3:radius:R:1\n", v[1], v[5], v[9]; next }
     NR > 2 { printf "%s %.17g %.17g %.17g %.17g\n", $1, $2 * 1e-6, $3 * 1e-6, $4 * 1e-6, $5 * 1e-6; next } { print }' "$tmp/deep.xyz" > "$tmp/small.xyz"
   convert "$tmp/small.xyz" "$tmp/small.geo" && grep -qx 'Mesh.ScalingFactor = 1e-07;' "$tmp/small.geo" &&
-    awk -F'[{},]' '/^Sphere/ { r[sprintf("%.9f", $5)]++ } END { for (x in r) { n++; bad += x != 10 && x != 6 } exit !(n == 2 && !bad) }' "$tmp/small.geo"
+    awk -F'[{},]' '/^Sphere/ { r[sprintf("%.9f", $5)]++ } END { for (x in r) { n++; bad += x + 0 != 10 && x + 0 != 6 } exit !(n == 2 && !bad) }' "$tmp/small.geo"
 }
 tell 'a pack in metres is scripted in its own unit' small
 flat_script() { convert "$tmp/shapes.xyz" "$tmp/shapes.geo" && grep -q '^Disk' "$tmp/shapes.geo" && [ "$(grep -c 'Plane Surface' "$tmp/shapes.geo")" -ge 40 ] && [ "$(grep -c '^      Periodic Curve' "$tmp/shapes.geo")" = 2 ]; }

@@ -176,7 +176,7 @@ static void test_outlines(void) {
       }
     }
     double share = area / (M_PI * body.radius * body.radius);
-    off = fmax(off, pack_kind(pack, i) ? fabs(share - 1) : share > 1 ? 1 : 1 - share - 0.004);
+    off = fmax(off, pack_kind(pack, i) ? fabs(share - 1) : share > 1 ? 1 : 1 - share - 0.01);
     for (int j = 0; j < 2; j++)
       reach = fmax(reach, fmax(fabs(most[j] - high[j]), fabs(most[2 + j] - low[j])) - (pack_kind(pack, i) ? 0 : 0.02));
   }
