@@ -109,6 +109,12 @@ tell 'and radii of their own' back own 3 0 csv data xyz txt dat xyzr
 one_name() { sed '3,$s/^[^ ]*/A/; 2s/randpack_species="[^"]*"//' "$tmp/$1.xyz" > "$tmp/$1-A.xyz"; }
 tell 'lists without species, as a pack without' eval 'one_name deep && back deep-A 3 0 txt dat xyzr && one_name flat && back flat-A 2 0 txt'
 printf 'dimension = 3; unit = 1.0; inside = 1.0; measure = { rdf = { step = 0.5; reach = 2.5; }; nearest = {}; };\n' > "$tmp/heap.scene"
+scened() { # a list with the box of a scene is a pack that repeats
+  with_box m3 "$tmp/deep-A.xyz" && convert "$tmp/deep-A.xyz" "$tmp/want.data" && convert "$tmp/deep-A.txt" "$tmp/got.data" --scene "$tmp/boxed.scene" && cmp "$tmp/want.data" "$tmp/got.data" &&
+    convert "$tmp/deep-A.txt" "$tmp/set.data" --scene "$tmp/m3.scene" --set "side=$(printf %.17e "$(side "$tmp/deep-A.xyz")")" && cmp "$tmp/want.data" "$tmp/set.data"
+}
+tell 'the box of a list from a scene' scened
+tell 'a setting without a scene' refused '--set is no option of convert' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.csv" --set side=3
 finite() { # without the radius that only xyz keeps
   sed '2s/Lattice="[^"]*"//; 2s/open=[^ ]*//' "$tmp/heap.xyz" > "$tmp/bare.xyz" && measured want heap "$tmp/bare.xyz" || return 1
   for f in csv txt; do convert "$tmp/heap.xyz" "$tmp/heap.$f" && measured got heap "$tmp/heap.$f" && same want got 1e-9 || { echo $f; return 1; }; done

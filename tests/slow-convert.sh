@@ -44,7 +44,6 @@ vtu() {
 import sys
 from math import pi
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
-from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 def grid(name):
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(sys.argv[1] + '/' + name)
@@ -64,9 +63,13 @@ assert all((label.GetValue(i) == 1) == (radius.GetValue(i) > 0.9) for i in range
 g = grid('shapes.vtu')
 radius, box = g.GetCellData().GetArray('radius'), g.GetFieldData().GetArray('box')
 assert g.GetNumberOfCells() == 60 and names(g) == ['D', 'P', 'S']
-cells = sum(g.GetCell(i).ComputeArea() for i in range(60)) / (box.GetValue(3) * box.GetValue(4))
+def area(cell):
+    p = [cell.GetPoints().GetPoint(k) for k in range(cell.GetNumberOfPoints())]
+    assert cell.GetClassName() == 'vtkPolygon' and all(v[2] == 0 for v in p)
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(p, p[1:] + p[:1])) / 2
+cells = sum(area(g.GetCell(i)) for i in range(60)) / (box.GetValue(3) * box.GetValue(4))
 exact = sum(pi * radius.GetValue(i) ** 2 for i in range(60)) / (box.GetValue(3) * box.GetValue(4))
-assert abs(exact - 0.4) < 1e-12 and 0 < exact - cells < 0.002 * exact, (exact, cells)
+assert abs(exact - 0.4) < 1e-12 and 0 < exact - cells < 0.003 * exact, (exact, cells)
 END
 }
 vti() {
@@ -197,12 +200,13 @@ mesh() { # mesh NAME DIMENSION H: the volumes of the groups, from a mesh of this
       else if (dim == 2 && $2 == 2) v = (ux * vy - uy * vx) / 2
       else continue
       sum[name[dim, $4]] += v < 0 ? -v : v } }
-    /^\$Periodic/ { getline n; links = n; getline
-      while ($0 !~ /^\$EndPeriodic/) { if (NF == 2 && $0 ~ /^[0-9]+ [0-9]+$/) pairs++; if (/^Affine/) moved[$5 " " $9 " " $13]++; if ((getline) <= 0) break } }
-    END { for (s in sum) printf "%s %.15g\n", s, sum[s]; print "pairs", pairs + 0 }' "$tmp/$1.msh"
+    /^\$Periodic/ { getline; getline # of each pair of nodes, the one is the other, moved
+      while ($0 !~ /^\$EndPeriodic/) { if (/^Affine/) { t[1] = $5; t[2] = $9; t[3] = $13; getline n; for (k = 0; k < n; k++) { getline; pairs++
+          off = (x[$1] - x[$2] - t[1]) ^ 2 + (y[$1] - y[$2] - t[2]) ^ 2 + (z[$1] - z[$2] - t[3]) ^ 2; if (off > 1e-16) wrong++ } } if ((getline) <= 0) break } }
+    END { for (s in sum) printf "%s %.15g\n", s, sum[s]; print "pairs", pairs + 0; print "wrong", wrong + 0 }' "$tmp/$1.msh"
 }
 converges() { # converges NAME DIMENSION H: with elements half as large, a fourth of what the volume lacks
-  local h=$3
+  local h=$3 s
   convert "$tmp/$1.xyz" "$tmp/$1.geo" || return 1
   for s in 1 2; do mesh "$1" "$2" "$(awk -v h="$h" -v s=$s 'BEGIN { print h / s }')" > "$tmp/volumes$s" || return 1; done
   awk -v dim="$2" -F'[{},]' '/^(Sphere|Disk)/ { next } /^Box/ { printf "box %.15g\n", $5 * $6 * $7 } /^Rectangle/ { printf "box %.15g\n", $5 * $6 }' "$tmp/$1.geo" > "$tmp/box"
@@ -211,7 +215,7 @@ converges() { # converges NAME DIMENSION H: with elements half as large, a fourt
     END { for (s in solid) { all[1] += coarse[s]; all[2] += fine[s]; a = 1 - coarse[s] / solid[s]; b = 1 - fine[s] / solid[s]; n++
         printf "%s lacks %.5f with elements of %s, and %.5f with half, ratio %.2f\n", s, a, h, b, a / b; bad += !(b > 0 && a < 0.12 && a / b > 3 && a / b < 5.2) }
       for (k = 1; k <= 2; k++) { m = k == 1 ? coarse["\"matrix\""] : fine["\"matrix\""]; bad += ((all[k] + m) / box - 1) ^ 2 > 1e-18 } print "pairs", coarse["pairs"], fine["pairs"]
-      bad += !(coarse["pairs"] > 20 && fine["pairs"] > coarse["pairs"]); exit bad || n < 2 }' "$tmp/$1.xyz" "$tmp/box" "$tmp/volumes1" "$tmp/volumes2" > "$tmp/told"
+      bad += !(coarse["pairs"] > 20 && fine["pairs"] > coarse["pairs"] && coarse["wrong"] + fine["wrong"] == 0); exit bad || n < 2 }' "$tmp/$1.xyz" "$tmp/box" "$tmp/volumes1" "$tmp/volumes2" > "$tmp/told"
   local status=$?
   sed "s/^/  /" "$tmp/told"
   return $status
@@ -231,13 +235,13 @@ if found gmsh 'no geometry was meshed'; then
   outlines() { # pentagons exactly
     convert "$tmp/shapes.xyz" "$tmp/shapes.geo" --gap 0.02 && mesh shapes 2 0.2 > "$tmp/volumes" && awk '/made smaller/ { print $8, $NF }' "$tmp/shapes.geo" > "$tmp/told"
     awk -F'[{},]' '/^Rectangle/ { printf "%.15g\n", $5 * $6 }' "$tmp/shapes.geo" > "$tmp/area"
-    awk -v area="$(cat "$tmp/area")" -v want="$(awk '{ print $2 }' "$tmp/told")" '{ all += $1 != "pairs" ? $2 : 0; if ($1 != "pairs" && $1 != "\"matrix\"") solid += $2; n++ } END { print solid / area, want, all / area; exit !((all / area - 1) ^ 2 < 1e-18 && solid / area < want && solid / area > want * 0.985 && n == 5) }' "$tmp/volumes" || return 1
+    awk -v area="$(cat "$tmp/area")" -v want="$(awk '{ print $2 }' "$tmp/told")" '/^"/ { all += $2; if ($1 != "\"matrix\"") solid += $2; n++ } END { print solid / area, want, all / area; exit !((all / area - 1) ^ 2 < 1e-18 && solid / area < want && solid / area > want * 0.985 && n == 4) }' "$tmp/volumes" || return 1
   }
   tell 'and shapes' outlines
 fi
 
 # --- POV-Ray
-render() { povray "+I$tmp/$1.pov" "+O$tmp/$1.ppm" +FP "+W$2" "+H$3" -D +A0.0 -GA > "$tmp/pov" 2>&1 || { tail -5 "$tmp/pov"; return 1; }; }
+render() { povray "+I$tmp/$1.pov" "+O$tmp/$1.ppm" +FP "+W$2" "+H$3" -D -A -GA > "$tmp/pov" 2>&1 || { tail -5 "$tmp/pov"; return 1; }; }
 cat > "$tmp/picture.py" <<'END'
 def picture(path):
     """Width, height and the pixels, row by row, of a PPM."""
@@ -282,7 +286,7 @@ for k in range(width * height):
         place[name].append((k % width, k // width))
 middle = {n: [sum(p[j] for p in v) / len(v) for j in range(2)] for n, v in place.items() if v}
 print(middle)
-assert len(middle) == 3 and middle['A'][0] > middle['C'][0] > middle['B'][0] and middle['C'][1] < min(middle['A'][1], middle['B'][1]) - 20
+assert len(middle) == 3 and middle['A'][0] > middle['C'][0] > middle['B'][0] and middle['C'][1] < min(middle['A'][1], middle['B'][1]) - 10
 END
 }
 full() { # the pack fills a good part of the picture, with many colours
@@ -297,7 +301,7 @@ edge = [pixels[k] for k in range(width * height) if k % width in (0, width - 1) 
 assert all(min(p) > 250 for p in edge)
 END
 }
-if found povray 'no picture was drawn' && [ -n "$python" ]; then
+if found povray 'no picture was drawn' && has sys 'no picture was looked at'; then
   tell 'POV-Ray draws discs, with their share of the pixels' shares flat 0.5
   tell 'and shapes' shares shapes 0.4
   tell 'and a pack in space, whole and not empty' full
