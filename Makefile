@@ -43,7 +43,15 @@ endif
 CFLAGS   := -O3 -g1 -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-math-errno \
             -fno-trapping-math -fopenmp -ffile-prefix-map=$(CURDIR)=.
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers $(WERROR)
-LIBS     := -lconfig -lfftw3 -lz -lgsl -lgslcblas -lm
+# `make MPI=1 build`: a run shares its realizations by MPI. Only the chapter of ranks is compiled otherwise, and no table knows it.
+ifdef MPI
+ifeq ($(shell command -v mpicc),)
+$(error MPI=1 needs mpicc; on Debian: apt-get install libopenmpi-dev openmpi-bin)
+endif
+MPI_NEEDS := -DRANDPACK_MPI $(patsubst -I%,-isystem %,$(shell mpicc --showme:compile))
+MPI_LIBS  := $(shell mpicc --showme:link)
+endif
+LIBS     := -lconfig -lfftw3 -lz -lgsl -lgslcblas -lm $(MPI_LIBS)
 # Without vectors, of which clang would complain.
 SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined -Wno-pass-failed
@@ -109,6 +117,9 @@ $(B)/print/flags: COMPILER
 	  '$(CC) cannot compile this: gcc 12, clang 14 or a newer one is needed, as in make CC=gcc-12 build'; exit 1; }; \
 	printf '%s\n' '$(filter-out -ffile-prefix-map%,$(CFLAGS))' "$$version" | sha256sum | cut -c1-16 | cpif $@
 COMPILER: ;
+$(B)/print/mpi: COMPILER
+	@mkdir -p $(@D)
+	@echo '$(MPI_NEEDS)' | cpif $@
 PRINTS := $(MODULES:%=$(B)/print/%) $(ENTRIES:%=$(B)/print/%) $(B)/print/flags
 $(B)/c/prints.stamp: $(PRINTS)
 	@for p in $(PRINTS); do printf '{"%s", "%s"},\n' "$${p##*/}" "$$(<$$p)"; done | \
@@ -133,11 +144,13 @@ $(B)/san/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(INC)
 $(B)/san/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
+$(B)/obj/ranks.o: $(B)/print/mpi
+$(B)/obj/ranks.o: private WARNINGS += $(MPI_NEEDS)
 -include $(wildcard $(B)/obj/*.d $(B)/san/*.d)
 $(B)/bin/randpack: $(B)/obj/randpack.o $(filter-out %/guard.o %/library.o,$(OBJECTS))
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
-build: $(B)/bin/randpack ## leave build/bin/randpack
+build: $(B)/bin/randpack ## leave build/bin/randpack; MPI=1: for mpirun, too (Debian's libopenmpi-dev)
 try: $(B)/bin/randpack ## a first pack in seconds: its numbers, its g(R), a picture
 	@examples/try.sh $< $(B)/try
 

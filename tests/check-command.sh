@@ -66,7 +66,7 @@ tell 'what is not measured is not in the fingerprint' test "$(fingerprint deep)"
 
 # The command once more, linked so that it counts what it asks for.
 ${CC:-gcc} -fopenmp -Ibuild/c tests/counted.c build/obj/*.o -Wl,--wrap=pairs_count,--wrap=memory \
-  -lconfig -lfftw3 -lz -lgsl -lgslcblas -lm -o "$tmp/counted" || failed=1
+  -lconfig -lfftw3 -lz -lgsl -lgslcblas -lm $(nm build/obj/ranks.o | grep -q MPI_Init && mpicc --showme:link) -o "$tmp/counted" || failed=1
 counted() { # counted NAME [SETTING]...: run the scene and leave calls, reach, pairs, bytes in variables
   local name=$1
   shift

@@ -1,0 +1,135 @@
+#!/bin/bash
+# tests/slow-ranks.sh: a run by MPI has the bytes of a run without, for any number of ranks; one that loses workers, too; one that loses a
+# rank goes on.
+. tests/tell.sh
+. tests/small.sh
+command -v mpirun > "$tmp/found" && command -v mpicc > "$tmp/found" || { echo 'SKIP: mpirun and mpicc are not installed, so nothing was run by MPI'; exit; }
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl_base_warn_component_unused=0
+others=$(ls build/obj/*.o | grep -vE '/(ranks|ref_.*)\.o$')
+# shellcheck disable=SC2046,SC2086
+${CC:-gcc} -O2 -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -DRANDPACK_MPI $(mpicc --showme:compile) -Ibuild/c build/plain/ranks.c $others \
+  -lconfig -lfftw3 -lz -lgsl -lgslcblas -lm $(mpicc --showme:link) -o "$tmp/randpack" || exit 1
+small_scenes "$tmp"
+ranks() { # ranks K WORD...: by so many ranks
+  local k=$1
+  shift
+  mpirun --oversubscribe -n "$k" "$tmp/randpack" "$@"
+}
+same() { # same SCENE K WORD...: the directory of K ranks is that of a run without
+  local name=$1 k=$2
+  shift 2
+  [ -e "$tmp/$name" ] || ends 0 "$randpack" run "$tmp/$name.scene" --out "$tmp/$name" || return 1
+  rm -rf "$tmp/by"
+  ends 0 ranks "$k" run "$tmp/$name.scene" --out "$tmp/by" "$@" && diff -r "$tmp/$name" "$tmp/by"
+}
+for k in 1 2 3 5; do
+  for name in mixed grown shaken; do tell "$name by $k ranks" same $name $k; done
+done
+tell 'each with two workers' same mixed 2 --threads 2
+for name in discs shapes field lattice points fluid; do tell "$name by 2 ranks" same $name 2; done
+printf 'dimension = 3; theory = { curves = ["py"]; phi = [0.3]; };\n' > "$tmp/theory.scene"
+tell 'theory by 2 ranks' same theory 2
+printf '%s\n' 'dimension = 2; seed = 6; realizations = 5; species = ( { radius = 1.0; number = 40; } ); fraction = 0.5;
+make = { method = "rsa"; }; measure = { rdf = { reach = 4.0; }; };
+sweep = ( { key = "fraction"; values = [0.4, 0.54, 0.7]; } ); unreached = "keep";' > "$tmp/unreached.scene"
+tell 'what is not reached, by 3 ranks' same unreached 3
+pieces() {
+  ends 0 ranks 2 run "$tmp/mixed.scene" --realizations 0-2 --out "$tmp/piece" && ends 0 "$tmp/randpack" run "$tmp/mixed.scene" --realizations 3-4 --out "$tmp/piece" &&
+    ends 0 "$randpack" run "$tmp/mixed.scene" --out "$tmp/piece" && diff -r "$tmp/mixed" "$tmp/piece"
+}
+tell 'pieces by ranks, by one process, and the rest without MPI' pieces
+wrong() { # one line of ours, whatever mpirun adds
+  ends 2 ranks 3 run "$tmp/mixed.scene" --set fraction=2 --out "$tmp/none" && [ "$(grep -c '^randpack: ' "$tmp/err")" = 1 ] && [ ! -e "$tmp/none" ]
+}
+tell 'a wrong scene is told once' wrong
+unread() {
+  ends 2 mpirun --oversubscribe -n 1 "$tmp/randpack" run "$tmp/mixed.scene" --out "$tmp/none" : -n 1 "$tmp/randpack" run "$tmp/none.scene" --out "$tmp/none" &&
+    grep -q '^randpack: rank 1: .*none.scene: cannot be read' "$tmp/err"
+}
+tell 'a scene that one rank cannot read is told' unread
+differ() {
+  ends 2 mpirun --oversubscribe -n 1 "$tmp/randpack" run "$tmp/mixed.scene" --out "$tmp/none" : -n 1 "$tmp/randpack" run "$tmp/grown.scene" --out "$tmp/none" &&
+    grep -q '^randpack: rank 1 has another scene' "$tmp/err" && [ ! -e "$tmp/none" ]
+}
+tell 'and so is one that is another' differ
+
+# --- losses. Each realization takes a second or two.
+printf '%s\n' 'dimension = 3; seed = 8; realizations = 6; save = true; species = ( { name = "A"; radius = 1.0; number = 1500; } ); fraction = 0.6;
+make = { method = "crm"; growth = 0.01; }; measure = { contact = {}; };' > "$tmp/long.scene"
+below() { # below PID: all processes that it has started, and those that these have
+  local child
+  for child in $(ps -o pid= --ppid "$1"); do echo "$child"; below "$child"; done
+}
+workers() { # of this mpirun: those of our program that have no child and a parent and a grandparent of it
+  local pid parent
+  for pid in $(below "$1"); do
+    [ "$(ps -o comm= -p "$pid")" = randpack ] || continue
+    parent=$(ps -o ppid= -p "$pid")
+    [ "$(ps -o comm= -p $parent)" = randpack ] && [ "$(ps -o comm= -p $(ps -o ppid= -p $parent))" = randpack ] && echo "$pid"
+  done
+}
+first_worker() { # wait for one
+  local tries=0
+  until worker=$(workers "$1" | head -1) && [ -n "$worker" ] || [ $((tries += 1)) -gt 200 ] || ! kill -0 "$1" 2> /dev/null; do sleep 0.1; done
+  [ -n "$worker" ]
+}
+lose() { # lose K TIMES: kill a worker so many times
+  local k=$1 times=$2 pid status=0
+  ends 0 "$randpack" run "$tmp/long.scene" --out "$tmp/long" || return 1
+  rm -rf "$tmp/lost"
+  ranks "$k" run "$tmp/long.scene" --out "$tmp/lost" 2> "$tmp/err" &
+  pid=$!
+  for ((i = 0; i < times; i++)); do
+    sleep 0.7
+    first_worker $pid && kill -9 "$worker" || { echo 'no worker'; return 1; }
+  done
+  wait $pid || status=$?
+  [ $status = 0 ] && diff -r "$tmp/long" "$tmp/lost" && [ "$(grep -c 'is lost: its worker was ended by signal 9; it is done again' "$tmp/err")" = "$times" ] &&
+    grep -q 'realization [0-9]* (seed 8) is lost' "$tmp/err" || { cat "$tmp/err"; return 1; }
+}
+tell 'a worker that is killed costs its realization, which is told and done again' lose 2 1
+tell 'two of them, of a single rank' lose 1 2
+thrice() {
+  local pid status=0
+  ranks 1 run "$tmp/long.scene" --set realizations=1 --set species.[0].number=6000 --out "$tmp/thrice" 2> "$tmp/err" &
+  pid=$!
+  for i in 1 2 3; do sleep 0.5; first_worker $pid && kill -9 "$worker" || return 1; done
+  wait $pid || status=$?
+  [ $status = 1 ] && grep -q 'realization 0 (seed 8) was lost 3 times; the last time its worker was ended by signal 9' "$tmp/err" || { cat "$tmp/err"; return 1; }
+}
+tell 'what is lost three times is given up' thrice
+rank_dies() { # parts are on disk by then, and the same command goes on
+  local pid rank tries=0 status=0
+  rm -rf "$tmp/dies"
+  ranks 2 run "$tmp/long.scene" --out "$tmp/dies" 2> "$tmp/err" &
+  pid=$!
+  until ls "$tmp/dies/parts" 2> /dev/null | grep -qv part || [ $((tries += 1)) -gt 300 ]; do sleep 0.1; done
+  rank=$(for p in $(ps -o pid= --ppid $pid); do [ "$(ps -o comm= -p "$p")" = randpack ] && echo "$p"; done | tail -1)
+  local all
+  all=$(below $pid)
+  kill -9 "$rank" && { wait $pid || status=$?; }
+  sleep 1
+  for p in $all; do [ "$(ps -o comm= -p "$p")" != randpack ] || { echo "process $p goes on"; return 1; }; done
+  [ $status != 0 ] && [ ! -e "$tmp/dies/summary.tsv" ] && touch -d 2001-01-01 "$tmp/dies/pack-0.xyz" && ends 0 ranks 3 run "$tmp/long.scene" --out "$tmp/dies" &&
+    diff -r "$tmp/long" "$tmp/dies" && [ "$tmp/dies/pack-0.xyz" -ot "$tmp/long.scene" ]
+}
+tell 'a rank that is killed ends the run, nothing of it goes on, and the same command finishes it' rank_dies
+script() {
+  mkdir "$tmp/script" && cd "$tmp/script" || return 1
+  MPIRUN='mpirun --oversubscribe -n 2' RANDPACK=$tmp/randpack bash "$OLDPWD/examples/mpi.sbatch" "$tmp/mixed.scene" && cd "$OLDPWD" && diff -r "$tmp/mixed" "$tmp/script/results"
+}
+tell 'the script for MPI' script
+
+# --- the model of chapter cost: five realizations of one length take two workers as long as three of them take one.
+wall() { local TIMEFORMAT=%R; { time ranks "$1" run "$tmp/long.scene" --set realizations=5 --out "$tmp/wall" > "$tmp/out" 2>&1; } 2>&1; }
+dealt() {
+  local one two
+  for i in 1 2 3; do
+    one=$(wall 1) two=$(wall 2)
+    echo "one rank $one s, two ranks $two s; 3/5 is foretold"
+    awk -v a="$one" -v b="$two" 'BEGIN { exit !(b / a > 0.5 && b / a < 0.75) }' && return
+  done
+  return 1
+}
+if [ "$(nproc)" -ge 2 ]; then tell 'two ranks take three fifths of the time for five realizations' dealt; fi
+exit $failed
