@@ -126,10 +126,10 @@ again() {
 tell 'twice the same bytes' again
 finite() {
   sed 's/pbc="T T T"/pbc="F F F"/' "$spheres" > "$tmp/finite.xyz"
-  view "$tmp/finite.xyz" -o "$tmp/finite.png" && pictured "$tmp/finite.png" && view "$tmp/finite.xyz" --cut y=0.5 -o "$tmp/finite.svg" &&
-    said "$tmp/finite.svg" x z
+  view "$tmp/finite.xyz" --cut y=0.5 -o "$tmp/finite.svg" && said "$tmp/finite.svg" x z && [ "$(areas "$first" "$tmp/finite.svg")" -gt 3 ] &&
+    grep -q '>200 particles, cut at y = [-0-9.]*; lengths as in the file<' "$tmp/finite.svg"
 }
-tell 'finite packs, cut too' finite
+tell 'a finite pack, cut' finite
 
 # --- names
 odd="$tmp/a b'c\"d"$'\n'"e\`touch $tmp/evil\`"

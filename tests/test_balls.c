@@ -65,7 +65,7 @@ static void test_light(void) {
 
 static void test_depth(void) {
   /* the small one is behind by its centre, and its surface is before */
-  const Ball both[] = {{6, 10, 1.00, 4, 0}, {9.4, 10, 0.9, 1.5, 1}};
+  const Ball both[] = {{6, 10, 1.00, 4, 0}, {9.4, 10, 0.9, 2.2, 1}};
   for (int order = 0; order < 2; order++) {
     const Ball list[] = {both[order], both[1 - order]};
     unsigned char *rgb = paint(2, list);
