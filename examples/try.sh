@@ -13,16 +13,7 @@ set xlabel "R = r/a"
 set title "g(R)"
 plot [2:6] table using 1:2 with lines
 END
-# The cut through the middle of the box: circles, as a micrograph shows them.
-awk 'NR == 2 { split($0, part, /["= ]+/); half = part[2] / 2 } NR > 2 { d = $4 - half; if (d * d < $5 * $5) print $2, $3, sqrt($5 * $5 - d * d) }' \
-  "$dir/pack-0.xyz" > "$dir/cut.txt"
-gnuplot -e "table = '$dir/cut.txt'; out = '$dir/cut.png'" - <<'END'
-set terminal pngcairo size 600,600
-set output out
-set size ratio -1
-set margins 0, 0, 0, 0
-unset border; unset tics; unset key
-set offsets 1, 1, 1, 1
-plot table using 1:2:3 with circles fc rgb "#9cc3e0" fs solid 1 border lc rgb "#0072b2"
-END
-echo "$dir/cut.png shows a cut through the first pack. The packs are $dir/pack-*.xyz, which OVITO opens; the scene is examples/first.scene."
+# The cut through the middle of the box: circles, as a micrograph shows them. And g(R), as a picture.
+"$program" view "$dir/pack-0.xyz" --cut z=0.5 -o "$dir/cut.png"
+"$program" plot "$dir/rdf.tsv" -o "$dir/rdf.png"
+echo "$dir/cut.png shows a cut through the first pack, $dir/rdf.png g(R) with its errors. The packs are $dir/pack-*.xyz, which OVITO opens; the scene is examples/first.scene."

@@ -1,0 +1,6 @@
+#!/bin/bash
+# A table, drawn by the command itself.
+# data: rsa-histogram build/bin/randpack
+set -eu -o pipefail
+build/bin/randpack plot build/data/rsa-histogram/histogram.tsv -o build/figures/view-plot.pdf
+echo '\includegraphics[width=11.5cm]{build/figures/view-plot.pdf}'
