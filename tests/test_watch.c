@@ -78,12 +78,12 @@ typedef struct {
 } Result;
 
 static const Case cases[] = {
-    {"growth in a wide box", 3, 500, 0.55, 0.3, 0, CRM_ISOTHERMAL, false, false, -1, 0},
-    {"literal growth in the plane", 2, 300, 0.75, 0.2, 0, CRM_LITERAL, false, false, -1, 0},
+    {"growth in a wide box", 3, 400, 0.55, 0.3, 0, CRM_ISOTHERMAL, false, false, -1, 0},
+    {"literal growth in the plane", 2, 200, 0.75, 0.2, 0, CRM_LITERAL, false, false, -1, 0},
     {"growth in a narrow box", 3, 12, 0.6, 0.2, 0, CRM_ISOTHERMAL, false, false, -1, 0},
     {"growth with visits", 3, 216, 0.5, 0.3, 9, CRM_ISOTHERMAL, false, false, -1, 0},
-    {"growth to jamming", 2, 24, 0.5, 1.5, 0, CRM_ISOTHERMAL, true, false, -1, 0},
-    {"flight", 3, 300, 0.45, 0.3, 0, CRM_ISOTHERMAL, false, true, -1, 0},
+    {"growth to jamming", 2, 30, 0.5, 20, 0, CRM_ISOTHERMAL, true, false, -1, 0},
+    {"flight", 3, 250, 0.45, 0.3, 0, CRM_ISOTHERMAL, false, true, -1, 0},
     {"metropolis", 3, 216, 0.45, 0.3, 0, CRM_ISOTHERMAL, false, false, SAMPLER_METROPOLIS, 600},
     {"windows that follow", 3, 216, 0.45, 0.3, 0, CRM_ISOTHERMAL, false, false, SAMPLER_COLLISION, 500},
     {"chains", 3, 216, 0.45, 0.3, 0, CRM_ISOTHERMAL, false, false, SAMPLER_CHAIN, 600},
@@ -127,13 +127,13 @@ static void pass_visitor(void *visitor, State *state) {
   STATE_PASS(state, v->sum);
 }
 
-/* Watch the growth, or what follows it. */
+/* Watch the growth, or what follows it. Growth to jamming takes long after it has slowed down, and its budget ends it there. */
 static void run(const Case *c, Watch *watch, Result *r) {
   bool later = c->fly || c->rule >= 0;
   Outcome out = {0};
   Visitor visitor = {rng_stream(17, 2, RNG_SHAKING), 0, watch};
   CrmPlan plan = {.protocol = c->protocol, .rate = c->rate, .fraction = c->fraction, .points = true,
-                  .watch = later ? NULL : watch, .pressure = c->jam ? 2e6 : 0};
+                  .watch = later ? NULL : watch, .budget = c->jam ? 900 : 0};
   *r = (Result){.pack = start(c), .rng = rng_stream(17, 1, RNG_VELOCITIES)};
   if (c->every > 0) {
     plan.every = c->every;
@@ -176,7 +176,7 @@ static void test_stops(const Case *c, const Result *undisturbed, const char *pat
     run(c, &keeper->watch, &r);
     status = r.status;
     gsl_test(keeper->loaded != (stops > 0), "%s: taken up", c->name);
-    gsl_test(keeper->watch.depth != 0 || keeper->ended != (status == DONE), "%s: ended", c->name);
+    gsl_test(keeper->watch.depth != 0 || keeper->ended != (status == DONE), "%s: its end is told", c->name);
     stops += status == STOPPED;
     free(keeper);
   }
@@ -189,16 +189,16 @@ static void test_stops(const Case *c, const Result *undisturbed, const char *pat
 static void test_case(const Case *c, const char *path) {
   Result undisturbed, watched;
   run(c, NULL, &undisturbed);
-  gsl_test_int(undisturbed.status, DONE, "%s", c->name);
+  gsl_test_int(undisturbed.status, c->jam ? UNREACHED : DONE, "%s", c->name);
   Keeper *keeper = keeper_of(path, 0);
   run(c, &keeper->watch, &watched);
   gsl_test(!same(&watched, &undisturbed), "%s: watched and not", c->name);
   gsl_test(keeper->outside, "%s: only the outermost part is heard", c->name);
-  gsl_test(keeper->begun != 1 || keeper->ended != 1, "%s: a part begins and ends", c->name);
+  gsl_test(keeper->begun != 1 || keeper->ended != !c->jam, "%s: a part begins and ends", c->name);
   gsl_test(keeper->ticks < 4, "%s: there are %d ticks", c->name, keeper->ticks);
-  gsl_test(!(keeper->news.share > 0.5 && keeper->news.share <= 1), "%s: the work was foreseen, %g at the end", c->name,
+  gsl_test(!(c->jam || (keeper->news.share > 0.8 && keeper->news.share <= 1)), "%s: the work was foreseen, %g at the end", c->name,
            keeper->news.share);
-  int few = keeper->ticks / as_many(4, 40);
+  int few = keeper->ticks / as_many(3, 40);
   test_stops(c, &undisturbed, path, few < 1 ? 1 : few);
   test_stops(c, &undisturbed, path, 1 + keeper->ticks / 2);
   pack_free(&undisturbed.pack);
