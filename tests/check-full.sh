@@ -22,14 +22,14 @@ full() {
   local d=$tmp/full-$1 others
   mkdir "$d" && echo old > "$d/$1" && ln -s /dev/full "$d/$1.part" || return 1
   ends 1 "$randpack" run "$tmp/all.scene" --out "$d" && line "$1: cannot be written: No space left" &&
-    [ "$(cat "$d/$1")" = old ] && ! ls "$d" | grep -q part || return 1
+    [ "$(cat "$d/$1")" = old ] && ! ls "$d" | grep -q 'part$' || return 1
   for others in $(ls "$d" | grep -vx "$1"); do cmp "$d/$others" "$tmp/all/$others" || return 1; done
 }
 for name in $(ls "$tmp/all"); do tell "a full disk keeps the old $name, and what else is there is whole" full "$name"; done
 limited() ( ulimit -f "$1"; shift; exec "$@" )
 too_large() { # a limit on sizes is told like a full disk, although it has a signal
   ends 1 limited 2 "$randpack" run "$tmp/all.scene" --out "$tmp/limit" && line 'cannot be written: File too large' &&
-    ! ls "$tmp/limit" | grep -q part
+    ! ls "$tmp/limit" | grep -q 'part$'
 }
 tell 'a limit on the size of files' too_large
 if (unshare -m true) 2> "$tmp/err" && unshare -m sh -c "mount -t tmpfs -o size=16k none '$tmp/limit'" 2> "$tmp/err"; then
@@ -37,7 +37,7 @@ if (unshare -m true) 2> "$tmp/err" && unshare -m sh -c "mount -t tmpfs -o size=1
     unshare -m sh -c "mount -t tmpfs -o size=16k none '$tmp/limit' && '$randpack' run '$tmp/all.scene' --out '$tmp/limit'
       s=\$?; ls '$tmp/limit' > '$tmp/left'; for f in \$(cat '$tmp/left'); do cmp '$tmp/limit/'\$f '$tmp/all/'\$f || s=9; done; exit \$s" \
       > "$tmp/out" 2> "$tmp/err" < /dev/null
-    [ $? = 1 ] && line 'cannot be written: No space left' && ! grep part "$tmp/left"
+    [ $? = 1 ] && line 'cannot be written: No space left' && ! grep 'part$' "$tmp/left"
   }
   tell 'a small disk fills: what is there is whole' small_disk
 else

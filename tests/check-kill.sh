@@ -4,7 +4,7 @@
 . tests/kills.sh
 cat > "$tmp/grown.scene" <<'END'
 dimension = 3; seed = 3; realizations = 2; save = true; fraction = 0.6;
-species = ( { name = "A"; radius = 1.0; number = 500; }, { name = "B"; radius = 0.7; number = 300; } );
+species = ( { name = "A"; radius = 1.0; number = 300; }, { name = "B"; radius = 0.7; number = 150; } );
 make = { method = "crm"; growth = 0.02; rest = 20; };
 measure = { rdf = { reach = 3.0; }; pressure = { warm = 20; blocks = 4; each = 20; }; };
 END
@@ -12,25 +12,23 @@ cat > "$tmp/shaken.scene" <<'END'
 dimension = 3; seed = 4; realizations = 2; save = true; fraction = 0.5;
 species = ( { name = "A"; radius = 1.0; number = 400; } );
 make = { method = "crm"; growth = 0.1; };
-shake = { radius = 0.1; sweeps = 600; every = 20.0; each = 2; marks = [0, 200]; samples = 2; apart = 100; };
+shake = { radius = 0.1; sweeps = 1200; every = 20.0; each = 2; marks = [10, 200]; samples = 2; apart = 100; };
 measure = { rdf = { reach = 3.0; }; order = {}; };
 sweep = ( { key = "shake.rule"; values = ("metropolis", "chain"); } );
 END
 
 # --- killed
-for scene in grown shaken; do
-  ends 0 "$randpack" run "$tmp/$scene.scene" --out "$tmp/$scene" --checkpoint 0 || failed=1
-done
-resumed() { # resumed THREADS SCENE: three kills, then to the end
-  local name=$2-$1 i
-  for i in 1 2 3; do killed "$(randomly 0.1 0.5)" "$name" --threads "$1" --checkpoint 0.02 || break; done
-  begin "$name" --threads "$1" --checkpoint 0.02
+resumed() { # resumed SCENE THREADS SECONDS: kills, then to the end
+  local name=$1-$2
+  killed 3 "$3" "$name" --threads "$2" --checkpoint 0.02 || return 1
+  begin "$name" --threads "$2" --checkpoint 0.02
   ended
   [ $status = 0 ] && [ ! -s "$tmp/err" ] && whole "$name"
 }
 for scene in grown shaken; do
+  seconds=$(took $scene 1)
   for threads in 1 2; do
-    tell "$scene on $threads threads, killed three times: the same bytes" resumed $threads $scene
+    tell "$scene on $threads threads, killed three times: the same bytes" resumed $scene $threads "$seconds"
   done
 done
 
@@ -40,7 +38,7 @@ stopped() { # stopped SIGNAL STATUS SETTING...: at a time at which it is at work
   local signal=$1 want=$2 name=grown-$1
   shift 2
   begin "$name" --threads 1 "$@"
-  while [ "$(used $pid)" -lt 15 ] && kill -0 $pid; do sleep 0.02; done
+  while [ "$(used $pid)" -lt 8 ] && kill -0 $pid; do sleep 0.02; done
   kill -"$signal" $pid
   ended
   [ $status = "$want" ] && [ "$(wc -l < "$tmp/err")" = 1 ] && [ ! -s "$tmp/out" ] &&
@@ -99,7 +97,7 @@ foreign() { # foreign NAME COMMAND...: what the command has done to the states o
   shift
   rm -rf "${tmp:?}/$name"
   begin "$name" --threads 1
-  while [ "$(used $pid)" -lt 15 ] && kill -0 $pid; do sleep 0.02; done
+  while [ "$(used $pid)" -lt 8 ] && kill -0 $pid; do sleep 0.02; done
   kill -TERM $pid
   ended
   cd "$tmp/$name/parts" && "$@" && cd "$OLDPWD" && goes_on "$name"
@@ -109,7 +107,7 @@ halve() { for f in state-*; do truncate -s 40% "$f" 2> /dev/null || truncate -s 
 another() { # a state of another seed
   rm -rf "${tmp:?}/grown-seed"
   begin grown-seed --threads 1 --set seed=4
-  while [ "$(used $pid)" -lt 15 ] && kill -0 $pid; do sleep 0.02; done
+  while [ "$(used $pid)" -lt 8 ] && kill -0 $pid; do sleep 0.02; done
   kill -TERM $pid
   ended
   cp "$tmp"/grown-seed/parts/* .

@@ -14,17 +14,27 @@ begin() {
 ended() { status=0; wait "$pid" 2> /dev/null || status=$?; }
 # used: the hundredths of a second of the processor that it has used so far.
 used() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$1/stat" 2> /dev/null || echo 0; }
-# after SECONDS NAME ARGUMENT...: begin, and kill it then; false if it was done before.
+# took SCENE THREADS: seconds of a run that nobody disturbs, into $tmp/SCENE, or, if that is there, aside.
+took() {
+  local TIMEFORMAT=%R to=$tmp/$1
+  [ ! -e "$to" ] || to=$tmp/aside
+  { time "$randpack" run "$tmp/$1.scene" --out "$to" --threads "$2" --checkpoint 0 > "$tmp/out" 2>&1; } 2>&1
+  rm -rf "$tmp/aside"
+}
+# killed TIMES MOST NAME ARGUMENT...: begin, and kill after random seconds up to MOST, so often. A run that is done before is done
+# again.
 killed() {
-  local seconds=$1
-  shift
-  begin "$@"
-  sleep "$seconds"
-  kill -KILL "$pid" 2> /dev/null
-  ended
-  [ $status = 137 ]
+  local times=$1 most=$2 kills=0 rounds=0
+  shift 2
+  while [ $kills -lt "$times" ] && [ $rounds -lt $((9 * times)) ]; do
+    begin "$@"
+    sleep "$(awk -v most="$most" -v r="$SRANDOM" 'BEGIN { printf "%.3f", most * r / 4294967296 }')"
+    kill -KILL "$pid" 2> /dev/null
+    ended
+    rounds=$((rounds + 1))
+    if [ $status = 137 ]; then kills=$((kills + 1)); else rm -rf "${tmp:?}/$1"; fi
+  done
+  [ $kills = "$times" ]
 }
 # whole NAME: all its files, and nothing else, in the bytes of the run that nobody disturbed.
 whole() { diff -r "$tmp/${1%%-*}" "$tmp/$1"; }
-# randomly LEAST MOST: seconds between these.
-randomly() { awk -v a="$1" -v b="$2" -v r="$SRANDOM" 'BEGIN { printf "%.3f", a + (b - a) * r / 4294967296 }'; }
