@@ -87,7 +87,7 @@ static void test_failure(const Scene *scene) {
   Bytes record = {0};
   run_open(&run, scene);
   run_open(&back, scene);
-  run_job(&run, 2, place);
+  run_job(&run, 2, place, NULL);
   outcome_set(&run.all[1].result[2].out, UNREACHED, "jammed at %g", 0.375);
   run.all[1].result[2].transient = true;
   run_note_all(&run);
@@ -240,7 +240,7 @@ int main(void) {
     run_open(&fresh, scene);
     gsl_test_int(run.jobs, 6, "two families of three realizations are six jobs");
     for (int job = 0; job < run.jobs; job++)
-      run_job(&run, job, place);
+      run_job(&run, job, place, NULL);
     test_record(&run, &fresh);
     test_file(&run, &fresh, &key);
     test_folder();
