@@ -43,8 +43,8 @@ completes() { # completes 'WORDS' EXPECTED...: the last word may become each of 
     "$root/share/bash-completion/completions/randpack" $given "$last") || return 1
   diff <(printf '%s\n' "$@" | sort) <(sort <<< "$words")
 }
-last=m tell 'a verb is completed' completes randpack measure
-last=--t tell 'an option' completes 'randpack run x.scene' --threads
+last=m tell 'a verb is completed' completes randpack measure merge
+last=--t tell 'an option' completes 'randpack run x.scene' --threads --time
 last=measure.rd tell 'an entry' completes 'randpack help' measure.rdf
 last= tell 'every entry, and none but the entries' completes 'randpack help' $names
 last=py tell 'a curve' completes 'randpack theory' py
