@@ -141,6 +141,16 @@ axes() { # the areas of the ellipses, and their quaternions
 }
 tell 'ellipses have axes and quaternions' axes
 
+slab() { # between walls across y: places from its middle there, and the walls as faces
+  printf '2\nLattice="10 0 0 0 6 0 0 0 9" pbc="T F T" Properties=type:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\nA 9.5 3.75 6 1\n' > "$tmp/slab.xyz"
+  convert "$tmp/slab.xyz" "$tmp/slab.csv" && [ "$(tail -n 2 "$tmp/slab.csv" | tr '\n' ';')" = '1,-1,3,1,A;9.5,0.75,6,1,A;' ] && convert "$tmp/slab.xyz" "$tmp/slab.data" && grep -q '^-3 3 ylo yhi$' "$tmp/slab.data" &&
+    head -1 "$tmp/slab.data" | grep -q 'boundary p f p$' && convert "$tmp/slab.xyz" "$tmp/slab.txt" && head -1 "$tmp/slab.txt" | grep -qx '# sides of the box 10 6 (between walls) 9, in which it repeats' &&
+    convert "$tmp/slab.xyz" "$tmp/slab.pov" && [ "$(grep -c sphere "$tmp/slab.pov")" = 3 ]
+}
+tell 'a pack between walls' slab
+tell 'has no voxels' refused 'slab.xyz: repeats in some directions only, and vti cannot hold that; csv, xyzr, lammps, vtu, pov can' \
+  "$randpack" convert "$tmp/slab.xyz" "$tmp/x.vti"
+
 # --- VTU
 array() { awk -v name="$1" 'index($0, "Name=\"" name "\"") { on = 1; next } /<\/DataArray>/ { on = 0 } on' "$2"; }
 points() {
@@ -244,6 +254,14 @@ touching() {
 tell 'spheres that touch' touching 3 'particles touch, the least gap is 0, and no element fits between; give --gap, as --gap 0.05'
 tell 'spheres that overlap' touching 2.5 'particles overlap, the least gap is -0.5, and no element'
 tell 'a gap too large' refused 'a gap of 3 leaves nothing of a particle of radius 1; give a smaller --gap' "$randpack" convert "$tmp/t.xyz" "$tmp/x.geo" --gap 3
+seams() { # away from the face that cuts, on both sides of the box
+  local at want
+  for at in '0.5 1' '9.5 -1'; do
+    printf '1\nLattice="10 0 0 0 10 0 0 0 10" Properties=type:S:1:pos:R:3:radius:R:1\nA %s 5 5 1\n' "${at% *}" > "$tmp/t.xyz"
+    convert "$tmp/t.xyz" "$tmp/t.geo" && [ "$(grep -c '^Sphere' "$tmp/t.geo")" = 2 ] && [ "$(grep -cF "Atan2(0, ${at#* })" "$tmp/t.geo")" = 2 ] || return 1
+  done
+}
+tell 'the seams of spheres point away from the faces' seams
 small() { # micrometres in metres
   awk 'NR == 2 { split($0, w, "\""); split(w[2], v, " "); for (k = 1; k <= 9; k++) v[k] *= 1e-6; printf "Lattice=\"%.17g 0 0 0 %.17g 0 0 0 %.17g\" Properties=type:S:1:pos:R:3:radius:R:1\n", v[1], v[5], v[9]; next }
     NR > 2 { printf "%s %.17g %.17g %.17g %.17g\n", $1, $2 * 1e-6, $3 * 1e-6, $4 * 1e-6, $5 * 1e-6; next } { print }' "$tmp/deep.xyz" > "$tmp/small.xyz"

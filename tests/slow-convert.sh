@@ -9,11 +9,11 @@ has() { # has MODULE WORDS: is this module of Python there? Else a line that say
 }
 found() { command -v "$1" > "$tmp/which" || { echo "SKIP: no $1, so $2"; return 1; }; }
 make() { # make NAME TEXT: a pack $tmp/NAME.xyz
-  printf '%s\n' "$2" > "$tmp/made.scene"
+  printf '%s\n' "$2" > "$tmp/$1.scene" && cp "$tmp/$1.scene" "$tmp/made.scene"
   ends 0 "$randpack" run "$tmp/made.scene" --out "$tmp/made" && mv "$tmp/made/pack-0.xyz" "$tmp/$1.xyz" && rm -rf "$tmp/made"
 }
 convert() { ends 0 "$randpack" convert "$@"; }
-tell 'spheres' make deep 'dimension = 3; seed = 3; fraction = 0.5; gap = 0.1; make = { method = "crm"; growth = 0.1; }; save = true;
+tell 'spheres' make deep 'dimension = 3; seed = 12; fraction = 0.5; gap = 0.1; make = { method = "crm"; growth = 0.1; }; save = true;
   species = ( { name = "AP"; radius = 1.0; number = 20; }, { name = "Al"; radius = 0.7; number = 20; } );'
 tell 'discs' make flat 'dimension = 2; seed = 4; fraction = 0.5; gap = 0.1; make = { method = "crm"; growth = 0.1; }; save = true;
   species = ( { name = "AP"; radius = 1.0; number = 30; }, { name = "Al"; radius = 0.5; number = 30; } );'
@@ -230,6 +230,11 @@ periodic() { # periodic NAME DIMENSION: each node on a side of the last mesh has
 if found gmsh 'no geometry was meshed'; then
   tell 'Gmsh meshes spheres of two sizes, and volumes converge' converges deep 3 0.4
   tell 'and its nodes match on opposite sides' periodic deep 3
+  folded() { # a cap that another algorithm folds
+    sed 's/seed = 12/seed = 3/' "$tmp/deep.scene" > "$tmp/made.scene" && ends 0 "$randpack" run "$tmp/made.scene" --out "$tmp/made" && mv "$tmp/made/pack-0.xyz" "$tmp/cap.xyz" &&
+      convert "$tmp/cap.xyz" "$tmp/cap.geo" && mesh cap 3 0.2 > "$tmp/volumes" && periodic cap 3
+  }
+  tell 'and another pack of them' folded
   tell 'Gmsh meshes discs' converges flat 2 0.25
   tell 'whose nodes match' periodic flat 2
   outlines() { # pentagons exactly
