@@ -35,9 +35,6 @@ tell 'pieces of a sweep that is shaken, and not reached in parts' pieces sweep s
 [ "$(awk -F'\t' '$1 ~ /^reached@/ { n[$2]++ } END { print n[0], n[1] }' "$tmp/sweep/summary.tsv")" != ' 6' ]
 tell 'of which some are reached and some are not' test $? = 0
 tell 'pieces of a box that is saturated' pieces discs discs 0-1 2-6
-tell 'pieces of a sweep of growth' pieces grown grown 1-2 0
-tell 'pieces of families, sampled' pieces shaken shaken 0 1
-tell 'pieces of packs from one base, diluted' pieces field field 1 0
 beside() { # pieces in one directory, which a run then finishes
   run few beside --realizations 5-6 && run few beside --realizations 1 && touch -d 2001-01-01 "$tmp"/beside/pack-{1,5,6}.xyz &&
     run few beside && diff -r "$tmp/few" "$tmp/beside" && [ "$tmp/beside/pack-5.xyz" -ot "$tmp/few.scene" ] &&
@@ -61,26 +58,6 @@ other() { # parts of another scene are not taken, and do not harm
 tell 'those of another scene are not taken' other
 set_seed() { run few set --realizations 0-6 --set seed=18 && run few set && diff -r "$tmp/few" "$tmp/set"; }
 tell 'nor those of other settings' set_seed
-
-# --- a run that is killed
-# It writes a part when two seconds have passed, which it spends asleep here.
-say long 'dimension = 3; seed = 8; realizations = 10; save = true; species = ( { name = "A"; radius = 1.0; number = 500; } ); fraction = 0.6;
-make = { method = "crm"; growth = 0.02; }; measure = { contact = {}; };'
-killed() {
-  local pid tries=0
-  "$randpack" run "$tmp/long.scene" --threads 1 --out "$tmp/killed" 2> "$tmp/err" &
-  pid=$!
-  until [ -e "$tmp/killed/pack-0.xyz" ] || [ $((tries += 1)) -gt 3000 ]; do sleep 0.02; done
-  kill -STOP $pid && sleep 2.2 && kill -CONT $pid
-  until ls "$tmp/killed/parts" 2> /dev/null | grep -qv part || ! kill -0 $pid 2> /dev/null || [ $((tries += 1)) -gt 6000 ]; do sleep 0.02; done
-  kill -9 $pid 2> /dev/null || { echo 'it had ended before'; return 1; }
-  wait $pid 2> /dev/null
-  [ ! -e "$tmp/killed/summary.tsv" ] && touch -d 2001-01-01 "$tmp/killed/pack-0.xyz" &&
-    run long killed && run long whole && diff -r "$tmp/whole" "$tmp/killed" && [ "$tmp/killed/pack-0.xyz" -ot "$tmp/long.scene" ]
-}
-tell 'a run that was killed goes on to the same bytes' killed
-short() { ends 0 "$randpack" run "$tmp/few.scene" --out "$tmp/short" && [ ! -e "$tmp/short/parts" ]; }
-tell 'a short run writes no parts' short
 
 # --- what a piece cannot be
 while IFS='|' read -r piece words; do
@@ -173,4 +150,29 @@ if nm "$randpack" 2> /dev/null | grep -q MPI_Init; then
 else
   tell 'copies without MPI are refused in one line, if they have no pieces' copies
 fi
+
+# --- a run that is killed
+# It writes a part when two seconds have passed, which it spends asleep here.
+say long 'dimension = 3; seed = 8; realizations = 10; save = true; species = ( { name = "A"; radius = 1.0; number = 500; } ); fraction = 0.6;
+make = { method = "crm"; growth = 0.02; }; measure = { contact = {}; };'
+killed() {
+  local pid tries=0
+  "$randpack" run "$tmp/long.scene" --threads 1 --out "$tmp/killed" 2> "$tmp/err" &
+  pid=$!
+  until [ -e "$tmp/killed/pack-0.xyz" ] || [ $((tries += 1)) -gt 3000 ]; do sleep 0.02; done
+  kill -STOP $pid && sleep 2.2 && kill -CONT $pid
+  until ls "$tmp/killed/parts" 2> /dev/null | grep -qv part || ! kill -0 $pid 2> /dev/null || [ $((tries += 1)) -gt 6000 ]; do sleep 0.02; done
+  kill -9 $pid 2> /dev/null || { echo 'it had ended before'; return 1; }
+  wait $pid 2> /dev/null
+  [ ! -e "$tmp/killed/summary.tsv" ] && touch -d 2001-01-01 "$tmp/killed/pack-0.xyz" &&
+    run long killed && run long whole && diff -r "$tmp/whole" "$tmp/killed" && [ "$tmp/killed/pack-0.xyz" -ot "$tmp/long.scene" ]
+}
+tell 'a run that was killed goes on to the same bytes' killed
+short() { ends 0 "$randpack" run "$tmp/few.scene" --out "$tmp/short" && [ ! -e "$tmp/short/parts" ]; }
+tell 'a short run writes no parts' short
+
+# --- more kinds of scenes
+tell 'pieces of a sweep of growth' pieces grown grown 1-2 0
+tell 'pieces of families, sampled' pieces shaken shaken 0 1
+tell 'pieces of packs from one base, diluted' pieces field field 1 0
 exit $failed

@@ -4,20 +4,20 @@
 # Probes are short: other work on the machine may double one of them. So each scene has three tries.
 "${CC:-gcc}" -O1 -std=c11 tests/usage.c -o "$tmp/usage" || exit 1
 say() { printf '%s\n' "$2" > "$tmp/$1.scene"; }
-say grown 'dimension = 3; realizations = 3; save = true; species = ( { name = "A"; radius = 1.0; number = 4000; } ); fraction = 0.6;
+say grown 'dimension = 3; realizations = 2; save = true; species = ( { name = "A"; radius = 1.0; number = 16000; } ); fraction = 0.6;
 make = { method = "crm"; growth = 0.05; }; measure = { rdf = { reach = 6.0; }; contact = {}; };'
-say saturated 'dimension = 3; realizations = 2; side = 70.0; fraction = "max"; species = ( { radius = 1.0; } );
+say saturated 'dimension = 3; realizations = 2; side = 140.0; fraction = "max"; species = ( { radius = 1.0; } );
 make = { method = "rsa"; }; measure = { rdf = { reach = 8.0; }; approach = {}; };'
-say finite 'dimension = 3; realizations = 2; save = true; species = ( { radius = 1.0; number = 20000; } );
+say finite 'dimension = 3; realizations = 2; save = true; species = ( { radius = 1.0; number = 60000; } );
 make = { method = "gravity"; }; measure = { rdf = { reach = 6.0; }; coordination = {}; };'
-say relaxed 'dimension = 2; realizations = 3; fraction = 0.8; species = ( { radius = 1.0; number = 500; shape = { kind = "polygon"; sides = 5; }; } );
+say relaxed 'dimension = 2; realizations = 2; fraction = 0.8; species = ( { radius = 1.0; number = 30000; shape = { kind = "polygon"; sides = 5; }; } );
 make = { method = "relax"; }; measure = { order = {}; };'
-say lattice 'dimension = 3; species = ( { radius = 1.0; } ); make = { method = "lattice"; lattice = "fcc"; n_l = 10; };
+say lattice 'dimension = 3; species = ( { radius = 1.0; } ); make = { method = "lattice"; lattice = "fcc"; n_l = 25; };
 measure = { rdf = { reach = 12.0; }; };'
-say shaken 'dimension = 3; realizations = 4; number = 3000; fraction = 0.5; species = ( { radius = 1.0; share = 0.5; }, { radius = 0.7; share = 0.5; } );
+say shaken 'dimension = 3; realizations = 2; number = 12000; fraction = 0.5; species = ( { radius = 1.0; share = 0.5; }, { radius = 0.7; share = 0.5; } );
 make = { method = "crm"; growth = 0.2; }; shake = { radius = 0.05; sweeps = 100; }; measure = { partials = { reach = [4.0]; }; };
 sweep = ( { key = "shake.rule"; values = ("metropolis", "chain"); } );'
-say pores 'dimension = 3; realizations = 2; number = 50000; fraction = 0.3; species = ( { radius = 1.0; share = 1.0; } );
+say pores 'dimension = 3; realizations = 2; number = 500000; fraction = 0.3; species = ( { radius = 1.0; share = 1.0; } );
 make = { method = "points"; }; measure = { histogram = { windows = 20000; }; nearest = {}; };'
 bytes() { awk -v x="$1" -v unit="$2" 'BEGIN { f["bytes"] = 1; f["kB"] = 1e3; f["MB"] = 1e6; f["GB"] = 1e9; print x * f[unit] }'; }
 near() { # near WHAT FORETOLD MEASURED

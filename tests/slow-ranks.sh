@@ -104,12 +104,15 @@ rank_dies() { # parts are on disk by then, and the same command goes on
   ranks 2 run "$tmp/long.scene" --out "$tmp/dies" 2> "$tmp/err" &
   pid=$!
   until ls "$tmp/dies/parts" 2> /dev/null | grep -qv part || [ $((tries += 1)) -gt 300 ]; do sleep 0.1; done
-  rank=$(for p in $(ps -o pid= --ppid $pid); do [ "$(ps -o comm= -p "$p")" = randpack ] && echo "$p"; done | tail -1)
   local all
   all=$(below $pid)
+  rank=$(for p in $all; do [ "$(ps -o comm= -p "$(ps -o ppid= -p "$p" | tr -d ' ')")" = mpirun ] && echo "$p"; done | tail -1)
   kill -9 "$rank" && { wait $pid || status=$?; }
-  sleep 1
-  for p in $all; do [ "$(ps -o comm= -p "$p")" != randpack ] || { echo "process $p goes on"; return 1; }; done
+  for p in $all; do
+    tries=0
+    while [ "$(ps -o comm= -p "$p")" = randpack ] && [ $((tries += 1)) -lt 50 ]; do sleep 0.1; done
+    [ $tries -lt 50 ] || { ps -o pid,ppid,stat,cmd -p "$p"; return 1; }
+  done
   [ $status != 0 ] && [ ! -e "$tmp/dies/summary.tsv" ] && touch -d 2001-01-01 "$tmp/dies/pack-0.xyz" && ends 0 ranks 3 run "$tmp/long.scene" --out "$tmp/dies" &&
     diff -r "$tmp/long" "$tmp/dies" && [ "$tmp/dies/pack-0.xyz" -ot "$tmp/long.scene" ]
 }
