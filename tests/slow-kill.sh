@@ -10,7 +10,7 @@ measure = { rdf = { reach = 3.0; }; pressure = {}; };
 END
 cat > "$tmp/jammed.scene" <<'END'
 dimension = 3; seed = 5; realizations = 2; save = true; fraction = "max";
-species = ( { name = "A"; radius = 1.0; number = 300; } );
+species = ( { name = "A"; radius = 1.0; number = 80; } );
 make = { method = "crm"; growth = 0.2; };
 measure = { rdf = { reach = 3.0; }; order = {}; };
 END

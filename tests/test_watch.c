@@ -75,6 +75,7 @@ typedef struct {
   SamplerReport sampler;
   Rng rng;
   double shaken; /* places seen by a visitor */
+  double wandered;
 } Result;
 
 static const Case cases[] = {
@@ -152,6 +153,7 @@ static void run(const Case *c, Watch *watch, Result *r) {
   if (c->rule >= 0 && out.status == DONE) {
     Sampler *sampler = sampler_alloc(r->pack, &how, &r->rng, &out);
     sampler_run(sampler, (uint64_t)c->sweeps, &r->sampler, &out);
+    r->wandered = c->rule < SAMPLER_DYNAMICS ? sampler_wandered(sampler) : 0;
     sampler_free(&sampler);
   }
   r->shaken = visitor.sum;
@@ -163,7 +165,7 @@ static bool same(const Result *a, const Result *b) {
   return a->status == b->status && same_numbers(a->pack->x, b->pack->x, n) && same_box(&a->pack->box, &b->pack->box) &&
          a->pack->species[0].radius == b->pack->species[0].radius && memcmp(&a->crm, &b->crm, sizeof a->crm) == 0 &&
          memcmp(&a->sampler, &b->sampler, sizeof a->sampler) == 0 && a->rng.counter == b->rng.counter &&
-         a->shaken == b->shaken;
+         a->shaken == b->shaken && a->wandered == b->wandered;
 }
 
 /* Stop after so many ticks, take it up and stop again, to the end. */
