@@ -18,5 +18,5 @@ FNR == 1 { print "\\midrule"; said = 0; phi = "" }
   if ($1 == "fraction") phi = sprintf("%.3f", $2)
   if (part[1] == only "zeta2") { zeta = $2; error = $3 }
   if (part[1] != only "eta2" || (pick != "" && part[2] != pick)) next
-  printf "%s & %s & $%s$ & $%s$\\\\\n", said++ ? "" : name, n > 1 ? part[n] : phi, shown(zeta, error), shown($2, $3)
+  printf "%s & %s & $%s$ & $%s$\\\\\n", said++ ? "" : name, (n > 1 ? part[n] : phi), shown(zeta, error), shown($2, $3)
 }
