@@ -74,7 +74,9 @@ full() {
 }
 tell 'a full disk keeps the old file whole' full
 room() { ends 1 "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --cells 32768 && grep -q 'x.vti: 3.52e+13 voxels take 3.52e+13 bytes, and the disk has .*; give fewer --cells' "$tmp/err" && [ ! -e "$tmp/x.vti" ]; }
-tell 'more voxels than the disk has room for' room
+if [ "$(df -P -k "$tmp" | awk 'NR == 2 { print $4 }')" -lt 30000000000 ]; then
+  tell 'more voxels than the disk has room for' room
+fi
 
 # --- lists, out and in again
 cat > "$tmp/m3.scene" <<'END'
@@ -204,7 +206,7 @@ three() { # three formats, the same bytes
     grep -qx 'data file: v.raw' "$tmp/v.nhdr" && [ "$(field sizes "$tmp/v.nhdr")" = '20 24 31' ]
 }
 tell 'VTI, NRRD and raw have the same voxels' three
-threads() { for t in 1 3; do OMP_NUM_THREADS=$t "$randpack" convert "$tmp/deep.xyz" "$tmp/t$t.raw" --cells 40 || return 1; done; cmp "$tmp/t1.raw" "$tmp/t3.raw"; }
+threads() { for t in 1 3; do convert "$tmp/deep.xyz" "$tmp/t$t.raw" --cells 40 --threads $t || return 1; done; cmp "$tmp/t1.raw" "$tmp/t3.raw"; }
 tell 'on any number of threads' threads
 shaped() { # the covered share of a lattice, as it is measured
   printf 'dimension = 2; measure = { covered = { method = "rows"; points = 40000.0; }; };\n' > "$tmp/c.scene" && ends 0 "$randpack" measure "$tmp/shapes.xyz" --scene "$tmp/c.scene" --out "$tmp/covered" &&
