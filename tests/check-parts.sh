@@ -172,6 +172,8 @@ short() { ends 0 "$randpack" run "$tmp/few.scene" --out "$tmp/short" && [ ! -e "
 tell 'a short run writes no parts' short
 
 # --- more kinds of scenes
+say counts "$(cat "$tmp/few.scene") sweep = ( { key = \"realizations\"; values = [2, 4]; } );"
+tell 'pieces of a sweep over numbers of realizations' pieces counts counts 3,0 1-2
 tell 'pieces of a sweep of growth' pieces grown grown 1-2 0
 tell 'pieces of families, sampled' pieces shaken shaken 0 1
 tell 'pieces of packs from one base, diluted' pieces field field 1 0
