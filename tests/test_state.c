@@ -104,6 +104,10 @@ static void test_damage(const char *path) {
   text = memory_grow(text, length + 1, 1);
   text[length] = 0;
   int taken = 0;
+  text[length - 100] ^= 4;
+  put(path, text, length);
+  gsl_test(!refused(path, "key"), "an altered number is seen");
+  text[length - 100] ^= 4;
   for (size_t i = 0; i < length; i += i < 400 ? 1 : 37) {
     text[i] ^= (unsigned char)(1 << i % 8);
     put(path, text, length);
