@@ -87,7 +87,7 @@ measuring() { # of packs that are measured nothing is kept
   sleep 0.3
   kill -TERM $pid
   ended
-  [ $status = 143 ] && grep -q 'interrupted at .*; no table was written' "$tmp/err" && [ -z "$(ls "$tmp/measured")" ]
+  [ $status = 143 ] && grep -q 'interrupted at .*; no table was written' "$tmp/err" && [ -z "$(ls "$tmp/measured" 2> /dev/null)" ]
 }
 tell 'measuring is stopped, too' measuring
 
@@ -130,7 +130,7 @@ tell 'a state that cannot be written ends nothing' full
 # --- what a person sees
 if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
   seen() { # of both threads, the line rewritten, and never torn
-    script -qec "stty cols 200; $randpack run $tmp/grown.scene --threads 2 --out $tmp/seen" /dev/null < /dev/null > "$tmp/line"
+    script -qec "stty cols 200; $randpack run $tmp/grown.scene --threads 2 --set make.growth=0.005 --out $tmp/seen" /dev/null < /dev/null > "$tmp/line"
     tr '\r' '\n' < "$tmp/line" | sed 's/ *$//' | grep . > "$tmp/lines"
     local one="$tmp/grown.scene: [012] of 2"
     grep -qE "^$one; realization [01]: fraction 0\.[0-9]{4} of 0\.6000, [0-9]+ collisions a particle(; [0-9]+ s left)?$" "$tmp/lines" &&
