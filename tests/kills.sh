@@ -1,5 +1,5 @@
-# tests/kills.sh: sourced; what check-kill.sh and slow-kill.sh share. Jobs get their own group, or a shell that is not a person's
-# would start them deaf to SIGINT.
+# tests/kills.sh: sourced; what check-kill.sh and slow-kill.sh share. Jobs get their own group, and hear signals though the tests
+# were started so that they hear none, by nohup or in the background.
 . tests/tell.sh
 set -m
 
@@ -7,7 +7,8 @@ set -m
 begin() {
   local name=$1
   shift
-  "$randpack" run "$tmp/${name%%-*}.scene" --out "$tmp/$name" "$@" > "$tmp/out" 2> "$tmp/err" < /dev/null &
+  env --default-signal=INT,TERM,HUP "$randpack" run "$tmp/${name%%-*}.scene" --out "$tmp/$name" "$@" > "$tmp/out" 2> "$tmp/err" \
+    < /dev/null &
   pid=$!
 }
 # ended: wait for it; how it ended is in status.
