@@ -25,8 +25,10 @@ function implied(a, b,   c) {
   return 0
 }
 function x(m) { return (col[m] - 1) * 2 + (row[m] % 2 ? 0.35 : -0.35) }
-function y(m) { return -row[m] * 0.8 }
+function y(m) { return -row[m] * step }
 END {
+  for (c = 1; c <= column; c++) if (rows[c] > most) most = rows[c]
+  step = most > 27 ? 21.6 / most : 0.8 # the longest part fits on a page
   print "kind\tx\ty\tdx\tdy\twords"
   for (k = 1; k <= n; k++) for (i = 1; i <= n; i++) for (j = 1; j <= n; j++) {
     a = order[i]; b = order[j]; c = order[k]
@@ -43,5 +45,5 @@ END {
     }
   }
   for (i = 1; i <= n; i++) print "module\t" x(order[i]) "\t" y(order[i]) "\t0\t0\t" order[i]
-  for (i = 1; i <= part; i++) print "part\t" (at[i] - 1) * 2 "\t" 0.75 - top[i] * 0.8 "\t0\t0\t" title[i]
+  for (i = 1; i <= part; i++) print "part\t" (at[i] - 1) * 2 "\t" 0.95 * step - top[i] * step "\t0\t0\t" title[i]
 }
