@@ -139,7 +139,7 @@ if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
   }
   tell 'how far it is, and how long it will take' seen
   narrow() { # cut at the width of the terminal
-    script -qec "stty cols 50; $randpack run $tmp/grown.scene --set realizations=1 --out $tmp/seen" /dev/null < /dev/null |
+    script -qec "stty cols 50; $randpack run $tmp/grown.scene --set realizations=1 --set make.growth=0.005 --out $tmp/seen" /dev/null < /dev/null |
       tr '\r' '\n' | awk 'length > 50 { bad = 1 } END { exit bad || NR < 3 }'
   }
   tell 'on a narrow terminal' narrow
