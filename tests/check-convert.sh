@@ -1,24 +1,14 @@
 #!/bin/bash
 # tests/check-convert.sh: packs in other formats, read back by awk and od and by this program itself. tests/slow-convert.sh has the
 # programs that they are for.
-. tests/tell.sh
+. tests/packs.sh
 convert() { ends 0 "$randpack" convert "$@" && [ ! -s "$tmp/out" ] && [ ! -s "$tmp/err" ]; }
-make() { # make NAME TEXT: a pack $tmp/NAME.xyz
-  printf '%s\n' "$2" > "$tmp/made.scene"
-  ends 0 "$randpack" run "$tmp/made.scene" --out "$tmp/made" && mv "$tmp/made/pack-0.xyz" "$tmp/$1.xyz" && rm -rf "$tmp/made"
-}
 two='species = ( { name = "1"; radius = 1.0; number = 60; }, { name = "2"; radius = 0.6; number = 90; } );'
 tell 'spheres of two sizes' make deep "dimension = 3; seed = 3; fraction = 0.3; $two make = { method = \"rsa\"; }; save = true;"
 tell 'discs' make flat "dimension = 2; seed = 4; box = [1.0, 1.5]; fraction = 0.4; $two make = { method = \"rsa\"; }; save = true;"
 tell 'spheres with radii of their own' make own 'dimension = 3; seed = 5; number = 150; fraction = 0.25; save = true;
   species = ( { name = "1"; radius = 1.0; share = 1.0; sizes = { law = "lognormal"; spread = 0.3; }; } ); make = { method = "rsa"; order = "large first"; };'
 tell 'a finite pack' make heap 'dimension = 3; seed = 6; species = ( { name = "1"; radius = 1.0; number = 150; } ); make = { method = "gravity"; }; save = true;'
-tell 'shapes' make shapes 'dimension = 2; seed = 7; fraction = 0.4; save = true; make = { method = "sequential"; };
-  species = ( { name = "P"; radius = 1.0; number = 20; shape = { kind = "polygon"; sides = 5; }; },
-              { name = "D"; radius = 0.5; number = 20; },
-              { name = "S"; radius = 0.8; number = 20; shape = { kind = "superellipse"; aspect = 1.7; m = 2.5; }; } );'
-tell 'ellipses' make ellipses 'dimension = 2; seed = 8; fraction = 0.3; save = true; make = { method = "sequential"; };
-  species = ( { name = "E"; radius = 1.0; number = 30; shape = { kind = "superellipse"; aspect = 2.0; m = 1.0; }; }, { name = "D"; radius = 0.5; number = 10; } );'
 sides() { sed -n '2s/.*Lattice="\([^"]*\)".*/\1/p' "$1" | awk '{ print $1, $5, $9 }'; }
 side() { sides "$1" | cut -d' ' -f1; }
 

@@ -2,6 +2,7 @@
 #ifndef SCATTER_H
 #define SCATTER_H
 #include "points.h"
+#include <gsl/gsl_math.h>
 #include <string.h>
 /* All at random places, and shapes at random angles. */
 static inline void scatter(Pack *pack, Rng *rng) {
@@ -30,6 +31,22 @@ static inline Pack *scattered(const Box *box, Species species[], int kinds, uint
   points_scatter(pack, &rng);
   points_turn(pack, &turns);
   for (int s = 0; s < kinds; s++)
+    shape_free(&species[s].shape);
+  return pack;
+}
+/* Half of n particles A, half B, of these radii, at random places; shaped: superellipses and pentagons, at random angles. */
+static inline Pack *two_kinds(const Box *box, size_t n, double a, double b, bool shaped, Rng *rng) {
+  Species species[2] = {{.name = "A", .radius = a, .count = n / 2}, {.name = "B", .radius = b, .count = n - n / 2}};
+  if (shaped) {
+    species[0].shape = shape_superellipse(2.5, 3.2);
+    species[1].shape = shape_regular(5);
+  }
+  Pack *pack = pack_alloc(box, species, 2, false);
+  for (size_t c = 0; c < n * (size_t)box->dim; c++)
+    pack->x[c] = box->side[c % (size_t)box->dim] * rng_uniform(rng);
+  for (size_t i = 0; pack->angle && i < n; i++)
+    pack->angle[i] = 2 * M_PI * rng_uniform(rng);
+  for (int s = 0; s < 2; s++)
     shape_free(&species[s].shape);
   return pack;
 }

@@ -1,28 +1,18 @@
 #!/bin/bash
 # tests/slow-convert.sh: packs in other formats, opened by the programs that they are for, as far as these are installed; what
 # they find there is the pack's fraction, and comes nearer to it as voxels and elements become smaller.
-. tests/tell.sh
+. tests/packs.sh
 python=
 for p in /usr/bin/python3 python3; do "$p" -c 'import sys' 2> "$tmp/err" && python=$p && break; done
 has() { # has MODULE WORDS: is this module of Python there? Else a line that says what is not tested.
   [ -n "$python" ] && "$python" -c "import $1" 2> "$tmp/err" || { echo "SKIP: no $1 for Python, so $2"; return 1; }
 }
 found() { command -v "$1" > "$tmp/which" || { echo "SKIP: no $1, so $2"; return 1; }; }
-make() { # make NAME TEXT: a pack $tmp/NAME.xyz
-  printf '%s\n' "$2" > "$tmp/$1.scene" && cp "$tmp/$1.scene" "$tmp/made.scene"
-  ends 0 "$randpack" run "$tmp/made.scene" --out "$tmp/made" && mv "$tmp/made/pack-0.xyz" "$tmp/$1.xyz" && rm -rf "$tmp/made"
-}
 convert() { ends 0 "$randpack" convert "$@"; }
 tell 'spheres' make deep 'dimension = 3; seed = 12; fraction = 0.5; gap = 0.1; make = { method = "crm"; growth = 0.1; }; save = true;
   species = ( { name = "AP"; radius = 1.0; number = 20; }, { name = "Al"; radius = 0.7; number = 20; } );'
 tell 'discs' make flat 'dimension = 2; seed = 4; fraction = 0.5; gap = 0.1; make = { method = "crm"; growth = 0.1; }; save = true;
   species = ( { name = "AP"; radius = 1.0; number = 30; }, { name = "Al"; radius = 0.5; number = 30; } );'
-tell 'shapes' make shapes 'dimension = 2; seed = 7; fraction = 0.4; save = true; make = { method = "sequential"; };
-  species = ( { name = "P"; radius = 1.0; number = 20; shape = { kind = "polygon"; sides = 5; }; },
-              { name = "D"; radius = 0.5; number = 20; },
-              { name = "S"; radius = 0.8; number = 20; shape = { kind = "superellipse"; aspect = 1.7; m = 2.5; }; } );'
-tell 'ellipses' make ellipses 'dimension = 2; seed = 8; fraction = 0.3; save = true; make = { method = "sequential"; };
-  species = ( { name = "E"; radius = 1.0; number = 30; shape = { kind = "superellipse"; aspect = 2.0; m = 1.0; }; }, { name = "D"; radius = 0.5; number = 10; } );'
 
 # --- ASE
 asked() {

@@ -2,7 +2,7 @@
 #include "format.h"
 #include "many.h"
 #include "overlap.h"
-#include "rng.h"
+#include "scatter.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
 #include <math.h>
@@ -10,20 +10,8 @@
 #include <string.h>
 
 static Pack *random_pack(int dim, size_t n, double side, bool shaped, Rng *rng) {
-  Species species[2] = {{.name = "A", .radius = 0.41, .count = n / 2}, {.name = "B", .radius = 1.3, .count = n - n / 2}};
   Box box = {dim, {side, 1.3 * side, dim == 3 ? 0.8 * side : 0}};
-  if (shaped) {
-    species[0].shape = shape_superellipse(2.5, 3.2);
-    species[1].shape = shape_regular(5);
-  }
-  Pack *pack = pack_alloc(&box, species, 2, false);
-  for (size_t c = 0; c < n * (size_t)dim; c++)
-    pack->x[c] = box.side[c % (size_t)dim] * rng_uniform(rng);
-  for (size_t i = 0; pack->angle && i < n; i++)
-    pack->angle[i] = 2 * M_PI * rng_uniform(rng);
-  for (int s = 0; s < 2; s++)
-    shape_free(&species[s].shape);
-  return pack;
+  return two_kinds(&box, n, 0.41, 1.3, shaped, rng);
 }
 
 static void test_labels(void) {

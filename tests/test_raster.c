@@ -2,27 +2,15 @@
 #include "cover.h"
 #include "many.h"
 #include "raster.h"
-#include "rng.h"
+#include "scatter.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_bessel.h>
 #include <gsl/gsl_test.h>
 #include <stdlib.h>
 
 static Pack *few(int dim, size_t n, double a, double b, double c, Rng *rng) {
-  Species species[2] = {{.name = "A", .radius = 0.9, .count = n / 2}, {.name = "B", .radius = 1.7, .count = n - n / 2}};
   Box box = {dim, {a, b, dim == 3 ? c : 0}};
-  if (dim == 2) {
-    species[0].shape = shape_superellipse(2.5, 3.2);
-    species[1].shape = shape_regular(5);
-  }
-  Pack *pack = pack_alloc(&box, species, 2, false);
-  for (size_t i = 0; i < n * (size_t)dim; i++)
-    pack->x[i] = box.side[i % (size_t)dim] * rng_uniform(rng);
-  for (size_t i = 0; pack->angle && i < n; i++)
-    pack->angle[i] = 2 * M_PI * rng_uniform(rng);
-  for (int s = 0; s < 2; s++)
-    shape_free(&species[s].shape);
-  return pack;
+  return two_kinds(&box, n, 0.9, 1.7, dim == 2, rng);
 }
 
 static void test_by_hand(void) {

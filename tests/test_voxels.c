@@ -1,7 +1,7 @@
 /* tests/test_voxels.c: the points of the raster; a plain search without a box; slabs; bytes; the law of the error */
 #include "many.h"
 #include "raster.h"
-#include "rng.h"
+#include "scatter.h"
 #include "voxels.h"
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_test.h>
@@ -9,20 +9,8 @@
 #include <string.h>
 
 static Pack *random_pack(int dim, size_t n, bool shaped, double wide, Rng *rng) {
-  Species species[2] = {{.name = "A", .radius = 0.9, .count = n / 2}, {.name = "B", .radius = 1.7, .count = n - n / 2}};
   Box box = {dim, {3.1 * wide, 4.7 * wide, dim == 3 ? 2.9 * wide : 0}};
-  if (shaped) {
-    species[0].shape = shape_superellipse(2.5, 3.2);
-    species[1].shape = shape_regular(5);
-  }
-  Pack *pack = pack_alloc(&box, species, 2, false);
-  for (size_t c = 0; c < n * (size_t)dim; c++)
-    pack->x[c] = box.side[c % (size_t)dim] * rng_uniform(rng);
-  for (size_t i = 0; pack->angle && i < n; i++)
-    pack->angle[i] = 2 * M_PI * rng_uniform(rng);
-  for (int s = 0; s < 2; s++)
-    shape_free(&species[s].shape);
-  return pack;
+  return two_kinds(&box, n, 0.9, 1.7, shaped, rng);
 }
 
 static void begin(Writing *w, const Pack *pack, int a, int b, int c) {
