@@ -5,7 +5,7 @@
 cat > "$tmp/grown.scene" <<'END'
 dimension = 3; seed = 3; realizations = 2; save = true; fraction = 0.6;
 species = ( { name = "A"; radius = 1.0; number = 300; }, { name = "B"; radius = 0.7; number = 150; } );
-make = { method = "crm"; growth = 0.02; rest = 20; };
+make = { method = "crm"; growth = 0.006; rest = 20; };
 measure = { rdf = { reach = 3.0; }; pressure = { warm = 20; blocks = 4; each = 20; }; };
 END
 cat > "$tmp/shaken.scene" <<'END'
@@ -32,13 +32,16 @@ for scene in grown shaken; do
   done
 done
 
-# --- told to stop
+# --- told to stop, in the midst of the first realization, whatever the machine's speed
+quarter=$(awk -v t="$( { TIMEFORMAT=%U; time "$randpack" run "$tmp/grown.scene" --out "$tmp/grown-time" --threads 1; } 2>&1)" \
+  'BEGIN { print int(25 * t) }')
+at_work() { while [ "$(used $pid)" -lt "$quarter" ] && kill -0 $pid 2> /dev/null; do sleep 0.01; done; }
 states() { ls "$tmp/$1/parts" 2> /dev/null; }
 stopped() { # stopped SIGNAL STATUS SETTING...: at a time at which it is at work
   local signal=$1 want=$2 name=grown-$1
   shift 2
   begin "$name" --threads 1 "$@"
-  while [ "$(used $pid)" -lt 8 ] && kill -0 $pid; do sleep 0.02; done
+  at_work
   kill -"$signal" $pid
   ended
   [ $status = "$want" ] && [ "$(wc -l < "$tmp/err")" = 1 ] && [ ! -s "$tmp/out" ] &&
@@ -61,7 +64,7 @@ tell 'writes nothing' test ! -e "$tmp/grown-HUP/parts"
 deaf() { # who was started deaf to a signal stays so
   (trap '' TERM; exec "$randpack" run "$tmp/grown.scene" --out "$tmp/grown-deaf" --threads 1) &
   pid=$!
-  sleep 0.2
+  at_work
   kill -TERM $pid
   ended
   [ $status = 0 ] && whole grown-deaf
@@ -97,7 +100,7 @@ foreign() { # foreign NAME COMMAND...: what the command has done to the states o
   shift
   rm -rf "${tmp:?}/$name"
   begin "$name" --threads 1
-  while [ "$(used $pid)" -lt 8 ] && kill -0 $pid; do sleep 0.02; done
+  at_work
   kill -TERM $pid
   ended
   cd "$tmp/$name/parts" && "$@" && cd "$OLDPWD" && goes_on "$name"
@@ -107,7 +110,7 @@ halve() { for f in state-*; do truncate -s 40% "$f" 2> /dev/null || truncate -s 
 another() { # a state of another seed
   rm -rf "${tmp:?}/grown-seed"
   begin grown-seed --threads 1 --set seed=4
-  while [ "$(used $pid)" -lt 8 ] && kill -0 $pid; do sleep 0.02; done
+  at_work
   kill -TERM $pid
   ended
   cp "$tmp"/grown-seed/parts/* .
