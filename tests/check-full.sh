@@ -51,9 +51,16 @@ for verb in help version 'help make.crm' "plan $tmp/all.scene" 'theory py --phi 
 done
 
 # --- a pipe that nobody reads
-unread() { # unread COMMAND...: into a pipe that is closed; its status is left in $tmp/status, its words in $tmp/err
-  { sleep 0.1; s=0; "$@" 2> "$tmp/err" || s=$?; echo $s > "$tmp/status"; } < /dev/null | true
-  sleep 0.2
+unread() { # unread COMMAND...: into a pipe whose reader has gone; its status is left in $tmp/status, its words in $tmp/err
+  local s=0
+  mkfifo "$tmp/pipe" || return 1
+  : < "$tmp/pipe" &
+  exec 3> "$tmp/pipe"
+  wait $!
+  "$@" >&3 2> "$tmp/err" < /dev/null || s=$?
+  exec 3>&-
+  echo $s > "$tmp/status"
+  rm "$tmp/pipe"
 }
 quiet() { unread "$randpack" help && [ "$(cat "$tmp/status")" = 141 ] && [ ! -s "$tmp/err" ]; }
 tell 'a closed pipe ends help by its signal, without a word' quiet
