@@ -9,7 +9,7 @@ set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"; set mxtics 1; set mytics 1
 unset key
 set multiplot
-set xlabel "number of particles, $P$"
+set xlabel "number of particles, $N$"
 set bmargin screen 0.17; set tmargin screen 0.97
 set lmargin screen 0.10; set rmargin screen 0.52
 set xrange [700:1.5e5]; set xtics 1e3,10; set yrange [3:900]
