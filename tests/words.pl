@@ -31,7 +31,7 @@ sub of_tex {
   $text =~ s/((?<!\\)\\\[.*?\\\]|\$\$.*?\$\$)/blank($1)/gse;
   $text =~ s/((?<!\\)\$(?:[^\$\\]|\\.)*\$)/blank($1)/gse;
   $text =~ s/(``.*?'')/blank($1)/gse;
-  $text =~ s/(`[^`'\n]*(?:\n[^`'\n]+)?')/blank($1)/gse;
+  $text =~ s/((?<![\\`])`(?:(?!\n\s*\n)[^`']){1,600}')/blank($1)/gse;
   $text =~ s/(\\(?:val(?:only|err)?)(?:\{[^{}]*\}){2})/blank($1)/ge;
   $text =~ s/(\\(?:cite|label|(?:page|eq)?ref|input|url|texttt|begin|end|plot|bibliography|includegraphics)\*?(?:\[[^\]]*\])?\{[^{}]*\})/blank($1)/ge;
   return $text;
