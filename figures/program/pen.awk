@@ -24,4 +24,4 @@ function arrow(c, x0, y0, x1, y1, w,   d, a, b, h) {
 }
 function nearest(d, side) { return d - side * int(d / side + (d < 0 ? -0.5 : 0.5)) }
 function angle(y, x,   t) { t = atan2(y, x); return t < 0 ? t + 2 * pi : t }
-function fail(words) { print "a picture of the program: " words > "/dev/stderr"; failed = 1; exit 1 }
+function fail(why) { print "a picture of the program: " why > "/dev/stderr"; failed = 1; exit 1 }
