@@ -78,7 +78,7 @@ $1 == "arc" {
   put(p " S")
 }
 $1 == "dash" { put((NF > 1 ? "[" $2 " " $3 "]" : "[]") " 0 d") }
-$1 == "box" { filled = ""; put(rgb($2) " rg " area($3, $4, $5, $6) " f") }
+$1 == "box" { if ($2 != filled) put(rgb(filled = $2) " rg"); put(area($3, $4, $5, $6) " f") }
 $1 == "path" {
   pen($3, $4); p = at($5, $6) " m"
   for (i = 7; i < NF; i += 2) p = p " " at($i, $(i + 1)) " l"
