@@ -64,7 +64,7 @@ planned() { "$r" plan figures/rsa/gaps.scene > "$tmp/out" && grep -q '^measure.*
 tell 'plan knows it' planned
 wrong() { sed 's/unit =/untis =/' figures/rsa/gaps.scene > "$tmp/wrong.scene" && refused ':2: untis is not a key of measure.gap; known here: unit' "$r" run "$tmp/wrong.scene"; }
 tell 'a wrong key of it is answered' wrong
-tell 'and a pack that it is not of' refused 'gap is of hard particles; leave it out' "$r" plan figures/rsa/gaps.scene --set make.method=points
+tell 'and a pack that it is not of' refused 'gap needs hard particles; leave it out' "$r" plan figures/rsa/gaps.scene --set make.method=points
 swept() { ends 0 "$r" run figures/rsa/gaps.scene --set 'sweep=({key="measure.gap.unit";values=[1.0,2.0];})' --out "$tmp/swept" &&
   awk -F'\t' '$1 == "mean_gap@1" { a = $2 } $1 == "mean_gap@2" { b = $2 } END { exit !(a > 0 && (a - 2 * b) ^ 2 < 1e-18) }' "$tmp/swept/summary.tsv"; }
 tell 'it can be swept' swept

@@ -66,7 +66,7 @@ two() {
     diff -r "$tmp/a" "$tmp/b" && near "$(value volume.L "$tmp/a")" 0.888889
 }
 tell 'a pack twice, the second time with its two lines exchanged' two
-tell 'a pack of other species' refused "$from/other.xyz: has other species than $from/two.xyz, no L; measure them apart" \
+tell 'a pack of other species' refused "$from/other.xyz: has other species than $from/two.xyz, no L; measure them separately" \
   "$randpack" measure $from/two.xyz $from/other.xyz --scene "$tmp/o.scene" --out "$tmp/new"
 tell 'and the other way round' refused "$from/two.xyz: has other species than $from/other.xyz, also L; measure" \
   "$randpack" measure $from/other.xyz $from/two.xyz --scene "$tmp/o.scene" --out "$tmp/new"
@@ -91,14 +91,14 @@ rounded() {
 }
 tell 'what overlaps by the last digit of a file is hard' rounded
 tell 'what overlaps by more is not, and the pair is named' refused \
-  "deep.xyz: particles 5 and 6 overlap by 0.01 of the smallest radius, and measure.partials is of hard particles; relax them, or leave it out of" \
+  "deep.xyz: particles 5 and 6 overlap by 0.01 of the smallest radius, and measure.partials needs hard particles; relax them, or leave it out of" \
   "$randpack" measure "$tmp/deep.xyz" --scene "$tmp/h.scene" --out "$tmp/new"
 deep() {
   measure deep g "$tmp/deep.xyz" && [ -z "$(value fraction "$tmp/deep")" ] && near "$(value reduced_density "$tmp/deep")" 0.0251327412 &&
     [ "$(awk '/^[0-9]/ { print $1; exit }' "$tmp/deep/rdf.tsv")" = 0.25 ] && [ "$(value min_gap "$tmp/deep")" = -0.005 ]
 }
 tell 'others take it: g from 0, and a reduced density' deep
-tell 'packs of which some overlap' refused "deep.xyz: particles overlap, and none do in $tmp/touch.xyz; measure them apart" \
+tell 'packs of which some overlap' refused "deep.xyz: particles overlap, and none do in $tmp/touch.xyz; measure them separately" \
   "$randpack" measure "$tmp/touch.xyz" "$tmp/deep.xyz" --scene "$tmp/g.scene" --out "$tmp/new"
 both() { measure both g "$tmp/deep.xyz" "$tmp/touch.xyz" && [ "$(value realizations "$tmp/both")" = 2 ] && near "$(value reduced_density "$tmp/both")" 0.0251327412 &&
   awk '/^[0-9]/ && $1 < 1.5 { n += $2 == 0 } END { exit n != 3 }' "$tmp/both/rdf.tsv"; }
@@ -182,7 +182,7 @@ unit() {
     grep -q '^# unit of length a = 2, as the scene says$' "$tmp/u/rdf.tsv"
 }
 tell 'the scene says the unit' unit
-tell 'which is of packs from files' refused 'unit is of packs from files; leave it out' "$randpack" run examples/first.scene --set unit=2 --out "$tmp/new"
+tell 'which is of packs from files' refused 'unit is only for packs from files; leave it out' "$randpack" run examples/first.scene --set unit=2 --out "$tmp/new"
 
 # What we wrote is measured as it was.
 cat > "$tmp/s.scene" <<'END'

@@ -52,7 +52,7 @@ cube() { run one cube --set cube=1.0 && head -2 "$tmp/cube/cube-0.xyz" | grep -q
 tell 'a cube is cut from the core, and is a bounded sample' cube
 rest() { run two rest --set make.mode=literal --set make.passes=6 && holds rest 'v["overlap"] < 1e-9' &&
   run one rests --set make.mode=literal --set make.passes=6 --set fraction=0.5 --set 'dilute={range="centres";part=0.3;}' --set 'measure={}' && holds rests 'v["overlap"] < 1e-9'; }
-start() { refused 'the pack to start from does not repeat' "$randpack" run "$tmp/start.scene" --out "$tmp/undone"; }
+start() { refused 'the pack to start from is not periodic' "$randpack" run "$tmp/start.scene" --out "$tmp/undone"; }
 printf 'dimension = 3; fraction = 0.62; make = { method = "crm"; start = "%s"; };' "$tmp/one/pack-0.xyz" > "$tmp/start.scene"
 tell 'a finite pack is no start for growth' start
 plan() { ends 0 "$randpack" plan "$tmp/one.scene" --set cube=0.5 && grep -q '^box.*none: a finite pack' "$tmp/out" && grep -q '^modules.* field gravity' "$tmp/out" &&
@@ -133,7 +133,7 @@ thin() { run one thin --set fraction=0.3 --set 'dilute={}' --set 'measure={neare
 tell 'a pack is diluted to its very fraction' thin
 undone() { ends 2 "$randpack" run "$tmp/one.scene" --out "$tmp/undone" --set fraction=0.7 --set 'dilute={}' && [ ! -e "$tmp/undone/summary.tsv" ]; }
 tell 'and not to a higher one' undone
-of_file() { ends 2 "$randpack" measure "$tmp/one/pack-0.xyz" --scene "$tmp/one.scene" --out "$tmp/undone" --set 'measure={pressure={};}' && grep -q 'measure.pressure is not of finite packs' "$tmp/err"; }
+of_file() { ends 2 "$randpack" measure "$tmp/one/pack-0.xyz" --scene "$tmp/one.scene" --out "$tmp/undone" --set 'measure={pressure={};}' && grep -q 'measure.pressure cannot be used with finite packs' "$tmp/err"; }
 tell 'a finite file has no pressure' of_file
 alone() { run one single --set 'species=({radius=2.0;number=1;})' --set inside=1.0 --set 'measure={nearest={reach=0.5;step=0.1;};}' && grep -q '^min_gap	inf' "$tmp/single/summary.tsv" &&
   ! grep -q '^nearest' "$tmp/single/summary.tsv" && holds single 'v["fraction"] == 1 && v["rim"] == 1 && v["centres"] == 1'; }
@@ -141,7 +141,7 @@ tell 'a single one has nobody near, no image of its own either' alone
 edge() { local far near
   read -r far near < <(awk -v r="$(value reach "$tmp/one")" 'BEGIN { print r + 0.1, r - 0.1 }')
   run one near --set "measure={rdf={reach=$near;};}" && ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/far" --set "measure={rdf={reach=$far;};}" &&
-  grep -q 'and what is measured to' "$tmp/err"; }
+  grep -q 'but the measure needs' "$tmp/err"; }
 tell 'pairs are counted as far as the core reaches, and no farther' edge
 inner() { run one inner --set inside=0.4 --set fraction=0.3 --set 'dilute={}' &&
   holds inner 'near(v["fraction"], 0.3, 1e-12) && near(v["reach"], 0.4 * v["rim"], 1e-9) && v["fraction_dense"] > 0.58'; }

@@ -91,8 +91,8 @@ tell 'it starts where it was, and may stay there' stays
 from_pack() { tell "$1" refused "$2" "$randpack" run "$tmp/again.scene" --out "$tmp/new" "${@:3}"; }
 from_pack 'a start denser than the fraction' 'again.scene:1: the pack to start from is denser than fraction; give' --set fraction=0.5
 from_pack 'a start of another dimension' 'the pack to start from has no particles, or another dimension; give' --set dimension=2
-from_pack 'a start, and species' 'the pack to start from has its particles and its box; leave' --set 'species=({radius=1.0;number=200;})'
-from_pack 'a start, and a box' 'the pack to start from has its particles and its box; leave' --set 'box=[1,1,2]'
+from_pack 'a start, and species' 'the pack to start from gives the particles and the box; leave' --set 'species=({radius=1.0;number=200;})'
+from_pack 'a start, and a box' 'the pack to start from gives the particles and the box; leave' --set 'box=[1,1,2]'
 from_pack 'a start, and too long a reach' 'measure.rdf.reach = 6 goes beyond half the box; the largest reach here is 5.' --set 'measure.rdf.reach=6.0'
 sed 's/ 1$/ 1.5/' "$tmp/one/pack-0.xyz" > "$tmp/over.xyz"
 from_pack 'a start that overlaps' 'the pack to start from overlaps, by ' --set "make.start=$tmp/over.xyz" --set fraction=0.9
@@ -123,7 +123,7 @@ measured_again() { # the numbers of the pack itself come out of its file again
 }
 tell 'a grown pack measures the same when read back' measured_again flat
 over() { ends 2 "$randpack" measure "$tmp/over.xyz" --scene "$tmp/one.scene" --set 'measure={pressure={};}' --out "$tmp/new" &&
-    grep -q 'over.xyz: particles [0-9]* and [0-9]* overlap by .* of the smallest radius, and measure.pressure is of hard particles; relax them' "$tmp/err"; }
+    grep -q 'over.xyz: particles [0-9]* and [0-9]* overlap by .* of the smallest radius, and measure.pressure needs hard particles; relax them' "$tmp/err"; }
 tell 'no pressure of a pack that overlaps' over
 
 # --- jamming

@@ -58,14 +58,14 @@ fraction=1.2|:--set: fraction has a wrong value; a number above 0
 fraction=|:--set: fraction has a wrong value; a number above 0
 fraction=0.2; gap=1|:--set: fraction has a wrong value; a number above 0
 fraction.x=3|--set fraction.x: no such place in
-fraction=max|:--set: how many saturate a box is not known beforehand; give side
+fraction=max|:--set: the number of particles at saturation is not known in advance; give side
 realizations=2.5|:--set: realizations has a wrong value; a whole number
 seed=-1|:--set: seed has a wrong value; a whole number
 species=5|:--set: species has a wrong value; a list
 species.[0].radius=nan|:--set: radius has a wrong value; a number above 0
 species.[0].shape=round|:--set: shape has a wrong value; a group
 species.[0].shape={kind="polygon";sides=2;}|:--set: sides has a wrong value; of a regular polygon
-species.[0].shape={kind="polygon";sides=5;}|good.scene:4: rsa makes balls, and a species has a shape; give one of
+species.[0].shape={kind="polygon";sides=5;}|good.scene:4: rsa makes balls, but a species has a shape; give one of
 make.method=pour|:--set: method has a wrong value; one of
 measure.rdf.step=0|:--set: step has a wrong value; the width
 measure.rdf.reach=99|measure.rdf.reach = 99 goes beyond half the box; the largest reach here is 16.18

@@ -28,7 +28,7 @@ tell 'a micrograph from a file' photo
 turned() { { head -n 2 "$tmp/photo.xyz"; tail -n +3 "$tmp/photo.xyz" | tac; } > "$tmp/turned.xyz" &&
   ends 0 "$randpack" measure "$tmp/turned.xyz" --scene "$tmp/photo.scene" --out "$tmp/turned" && diff -r "$tmp/photo" "$tmp/turned"; }
 tell 'and its discs in another order' turned
-overlap() { refused 'sections is of balls and discs that do not overlap' "$randpack" run "$tmp/one.scene" --set 'make.method="points"' --out "$tmp/none"; }
+overlap() { refused 'sections needs balls or discs that do not overlap' "$randpack" run "$tmp/one.scene" --set 'make.method="points"' --out "$tmp/none"; }
 tell 'overlapping spheres, whose discs would be one, are refused' overlap
 none() { ends 1 "$randpack" run "$tmp/one.scene" --set fraction=1e-6 --set measure.sections.planes=1 --out "$tmp/none" &&
   grep -q 'no plane meets a sphere; give more measure.sections.planes' "$tmp/err"; }

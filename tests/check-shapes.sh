@@ -47,13 +47,13 @@ tell 'no ellipse is as round as a long rhombus' needle
 # What presupposes balls is refused, of a scene (tests/bad) and of a file, each in one line.
 of_file() { refused "$1" "$randpack" measure "$2" --scene "$tmp/some.scene" --out "$tmp/new" --set "measure={$3={};}"; }
 for what in contact pressure coordination partials; do
-  tell "$what of shapes from a file" of_file "some.scene:--set: measure.$what is of balls, and a species has a shape; leave it out" \
+  tell "$what of shapes from a file" of_file "some.scene:--set: measure.$what needs balls, but a species has a shape; leave it out" \
     "$tmp/one/pack-0.xyz" "$what$([ $what = partials ] && printf '={reach=[3.0];};rdf')"
 done
 sed '2s/pbc="T T F"/pbc="F F F" dimension=2/' "$tmp/one/pack-0.xyz" > "$tmp/finite.xyz"
 tell 'a finite pack with shapes' of_file "finite.xyz: a finite pack with shapes; give a periodic one" "$tmp/finite.xyz" rdf
 printf 'dimension = 2; fraction = 0.6; make = { method = "crm"; start = "%s"; };\n' "$tmp/one/pack-0.xyz" > "$tmp/grow.scene"
-tell 'growth from a pack of shapes' refused 'grow.scene:1: the pack to start from has shapes, and growth is of balls; give' \
+tell 'growth from a pack of shapes' refused 'grow.scene:1: the pack to start from has shapes, but growth needs balls; give' \
   "$randpack" plan "$tmp/grow.scene"
 tell 'nothing was written' test ! -e "$tmp/new"
 keys() { "$randpack" help > "$tmp/help" && for key in kind sides vertices aspect m; do

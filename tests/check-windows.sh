@@ -82,10 +82,10 @@ slab() {
 }
 tell 'a slab, turned, and as a dump' slab
 printf 'dimension = 3;\nmeasure = { structure = {}; };\n' > "$tmp/structure.scene"
-tell 'a slab has no structure factor' refused 'structure is not of packs with walls; leave it out' \
+tell 'a slab has no structure factor' refused 'structure allows no packs with walls; leave it out' \
   "$randpack" measure "$tmp/slab.xyz" --scene "$tmp/structure.scene" --out "$tmp/new"
 printf 'dimension = 3;\nmeasure = { K = { edges = "toroidal"; }; };\n' > "$tmp/torus.scene"
-tell 'nor is it a torus' refused 'edges of measure.K are toroidal, and a pack with walls is no torus; give "minus"' \
+tell 'nor is it a torus' refused 'edges of measure.K are toroidal, but a pack with walls is not periodic; give "minus"' \
   "$randpack" measure "$tmp/slab.xyz" --scene "$tmp/torus.scene" --out "$tmp/new"
 sed '2s/pbc/Origin="-5 0 0" pbc/' "$tmp/slab.xyz" > "$tmp/moved.xyz"
 scene moved '' ''
@@ -95,7 +95,7 @@ printf '2\nLattice="8 0 0 0 8 0 0 0 8" Properties=species:S:1:pos:R:3:radius:R:1
 sed 's/ 7 1$/ 3 1/' "$tmp/planes.xyz" > "$tmp/discs.xyz"
 tell 'discs in space' refused 'has dimension 2; the scene says 3' "$randpack" measure "$tmp/discs.xyz" --scene "$tmp/moved.scene" --out "$tmp/new"
 sed -i 's/dimension = 3/dimension = 2/' "$tmp/moved.scene"
-tell 'discs in two planes' refused 'z is not constant, as it is of discs; a slab in space is read if the scene says dimension = 3' \
+tell 'discs in two planes' refused 'z is not constant, as it must be for discs; to read a slab in space give dimension = 3 in the scene' \
   "$randpack" measure "$tmp/planes.xyz" --scene "$tmp/moved.scene" --out "$tmp/new"
 
 scene large 'window = { side = 60.0; };' ''

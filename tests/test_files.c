@@ -99,7 +99,7 @@ static void test_tables(void) {
   gsl_test(!pack || pack->kinds != 2 || pack->species[1].radius != 0.25, "a radius without a name is of all (%s)", out.text);
   pack_free(&pack);
   pack = get("2\n\n1.5 2 3 4\n5.5 6 7 8\n", &balls, &out);
-  gsl_test(pack || !strstr(out.text, ":3: a species that is a number with decimals"), "a table below its number of lines (%s)", out.text);
+  gsl_test(pack || !strstr(out.text, ":3: the species is a number with decimals"), "a table below its number of lines (%s)", out.text);
   pack_free(&pack);
   pack = get("2\n\n6 2 3 4\n14 6 7 8\n", &balls, &out);
   gsl_test(!pack || pack->kinds != 2 || strcmp(pack->species[1].name, "14") != 0, "elements by their number (%s)", out.text);
@@ -246,7 +246,7 @@ static void test_data(void) {
   gsl_test(!pack || pack->kinds != 1 || pack->species->radius != 0.5, "points with a known radius (%s)", out.text);
   pack_free(&pack);
   pack = get(HEADER "\nAtoms\n\n1 1 1 1 0 0 0\n2 1 1 1 3 0 0\n3 1 1 1 0 3 0\n", &balls, &out);
-  gsl_test(pack || !strstr(out.text, ":12: a section Atoms that names no style"), "seven words could be a sphere or an ellipsoid (%s)", out.text);
+  gsl_test(pack || !strstr(out.text, ":12: the section Atoms names no style"), "seven words could be a sphere or an ellipsoid (%s)", out.text);
   pack = get("of discs\n\n1 atoms\n0 8 xlo xhi\n0 9 ylo yhi\nAtoms # charge\n\n1 1 -1 7 8 0.0\n", &discs, &out);
   gsl_test(!pack || pack->box.dim != 2 || pack->box.side[1] != 9 || pack->x[1] != 8, "discs, where z may be left out (%s)", out.text);
   pack_free(&pack);
@@ -289,10 +289,10 @@ static void test_errors(void) {
       {HEADER "2 1 xlo xhi\n", ":9:", "no bounds"},
       {"LAMMPS\n1e30 atoms\n", ":2:", "no number of particles"},
       {"LAMMPS\n1 atoms\n0 1 xlo xhi\n\nAtoms # sphere\n\n", ":4:", "ends without a box"},
-      {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n1 1 2 1 1 0 0 0\n", ":18:", "an ellipsoid that is no ball"},
+      {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n1 1 2 1 1 0 0 0\n", ":18:", "an ellipsoid with unequal axes"},
       {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n", ":14:", "an ellipsoid without axes"},
       {HEADER "\nAtoms # ellipsoid\n\n3 1 0 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\nEllipsoids\n\n3 1 1 1 1 0 0 0\n", ":18:", "no ellipsoid"},
-      {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n1 1 1 1 3 4 1\n\nEllipsoids\n\n", ":16:", "two particles of one number"},
+      {HEADER "\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n1 1 1 1 3 4 1\n\nEllipsoids\n\n", ":16:", "two particles have the same number"},
       {"of nothing\n0 atoms\n-5 5 xlo xhi\n-5 5 ylo yhi\n-5 5 zlo zhi\nEllipsoids\n\n1 1 1 1 1 0 0 0\n", ":8:", "no ellipsoid"},
       {"1 2 3\n4 5 6\n", ":1:", "not a pack"},
       {"1 2 3 1\n4 5 6\n", ":2:", "3 words in this line, and 4 in the first"},
