@@ -34,7 +34,7 @@ tell 'cells that are none' refused '--cells 8x8: give a whole number from 1 to 3
 tell 'more cells than can be' refused '--cells 40000: give' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --cells 40000
 tell 'a step that is none' refused '--step 0: give a length above 0' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --step 0
 tell 'two ways to say it' refused '--cells and --step; give one' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --step 1 --cells 9
-tell 'one name' refused 'convert wants PACK OUT' "$randpack" convert "$tmp/deep.xyz"
+tell 'one name' refused 'convert needs PACK OUT' "$randpack" convert "$tmp/deep.xyz"
 tell 'an option of convert elsewhere' refused '--cells is no option of plan' "$randpack" plan examples/first.scene --cells 9
 tell 'a pack that is none' refused 'none.xyz: cannot be read' "$randpack" convert "$tmp/none.xyz" "$tmp/x.csv"
 tell 'nothing was written' test ! -e "$tmp/x.csv" -a ! -e "$tmp/x.vti" -a ! -e "$tmp/x.geo" -a ! -e "$tmp/x.data"

@@ -90,7 +90,7 @@ jams() { # one realization that fails, in the second piece
 tell 'a failure is that of the whole run' jams
 
 # --- what cannot be put together
-tell 'merge of nothing' refused 'merge wants the directories of the pieces; see' "$randpack" merge
+tell 'merge of nothing' refused 'merge needs the directories of the pieces; see' "$randpack" merge
 tell 'merge of a directory without pieces' refused "$tmp/few: holds no finished realizations; give" "$randpack" merge "$tmp/few" --out "$tmp/none"
 tell 'missing ones' refused 'realizations are missing; make them with --realizations 0-2,4-6' "$randpack" merge "$tmp/few-1" --out "$tmp/none"
 tell 'of another scene' refused 'differs from the first, a scene of another name; merge them apart' \

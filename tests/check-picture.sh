@@ -148,7 +148,7 @@ tell 'names of species are texts and nothing else' species
 # --- what is refused
 tell 'another ending' refused 'not a format of pictures; give png, svg or pdf' "$randpack" view "$discs" -o "$tmp/a.jpg"
 tell 'no ending' refused 'not a format of pictures' "$randpack" view "$discs" -o "$tmp/png.d/a"
-usage() { ends 2 "$@" && [ "$(wc -l < "$tmp/err")" = 1 ] && grep -q ' wants .* -o FILE.png' "$tmp/err"; }
+usage() { ends 2 "$@" && [ "$(wc -l < "$tmp/err")" = 1 ] && grep -q ' needs .* -o FILE.png' "$tmp/err"; }
 tell 'no name of a picture' usage "$randpack" view "$discs"
 tell 'no table' usage "$randpack" plot -o "$tmp/a.png"
 tell 'a cut of discs' refused 'a pack in the plane; leave --cut out' "$randpack" view "$discs" --cut z=0.5 -o "$tmp/no.png"

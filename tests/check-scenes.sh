@@ -54,27 +54,27 @@ done <<'END'
 foo|--set foo: not a setting; give KEY=VALUE
 =5|--set =5: not a setting; give KEY=VALUE
 fractoin=0.2|:--set: fractoin is not a key of a scene; known here:
-fraction=1.2|:--set: fraction has a wrong value; a number above 0
-fraction=|:--set: fraction has a wrong value; a number above 0
-fraction=0.2; gap=1|:--set: fraction has a wrong value; a number above 0
+fraction=1.2|:--set: fraction has a wrong value; give a number above 0
+fraction=|:--set: fraction has a wrong value; give a number above 0
+fraction=0.2; gap=1|:--set: fraction has a wrong value; give a number above 0
 fraction.x=3|--set fraction.x: no such place in
 fraction=max|:--set: the number of particles at saturation is not known in advance; give side
-realizations=2.5|:--set: realizations has a wrong value; a whole number
-seed=-1|:--set: seed has a wrong value; a whole number
-species=5|:--set: species has a wrong value; a list
-species.[0].radius=nan|:--set: radius has a wrong value; a number above 0
-species.[0].shape=round|:--set: shape has a wrong value; a group
-species.[0].shape={kind="polygon";sides=2;}|:--set: sides has a wrong value; of a regular polygon
+realizations=2.5|:--set: realizations has a wrong value; give a whole number
+seed=-1|:--set: seed has a wrong value; give a whole number
+species=5|:--set: species has a wrong value; give a list
+species.[0].radius=nan|:--set: radius has a wrong value; give a number above 0
+species.[0].shape=round|:--set: shape has a wrong value; give a group
+species.[0].shape={kind="polygon";sides=2;}|:--set: sides has a wrong value; give the number of sides of a regular polygon
 species.[0].shape={kind="polygon";sides=5;}|good.scene:4: rsa makes balls, but a species has a shape; give one of
-make.method=pour|:--set: method has a wrong value; one of
-measure.rdf.step=0|:--set: step has a wrong value; the width
+make.method=pour|:--set: method has a wrong value; give one of
+measure.rdf.step=0|:--set: step has a wrong value; give the width
 measure.rdf.reach=99|measure.rdf.reach = 99 goes beyond half the box; the largest reach here is 16.18
 measure.contact.step=30|goes beyond half the box; the largest reach here is 16.18
 measure.histogram={radius=17.0;}|measure.histogram.radius = 17 goes beyond half the box; the largest
-measure.order.cut=1e9|:--set: cut has a wrong value; the longest
-measure.nearest.reach=1e9|step and reach of measure.nearest make 5e+10 bins; reach
-measure.K={step=5.0;reach=2.0;}|step and reach of measure.K make 0 bins; reach
-measure.quotients.steps=[3.0]|steps of measure.quotients hold 3; from
+measure.order.cut=1e9|:--set: cut has a wrong value; give the longest
+measure.nearest.reach=1e9|step and reach of measure.nearest make 5e+10 bins; give
+measure.K={step=5.0;reach=2.0;}|step and reach of measure.K make 0 bins; give
+measure.quotients.steps=[3.0]|steps of measure.quotients contain 3; from
 END
 
 # Options and words.
@@ -83,17 +83,17 @@ while IFS='|' read -r line words; do
   tell "randpack $line" refused "$words" "$randpack" "${given[@]}"
 done <<'END'
 fly|fly: no such verb; see
-run|run wants one scene; see
-run SCENE SCENE|run wants one scene; see
-plan|plan wants one scene; see
+run|run needs one scene; see
+run SCENE SCENE|run needs one scene; see
+plan|plan needs one scene; see
 run SCENE --threads 0|--threads 0: give a whole number from 1
 run SCENE --threads two|--threads two: give a whole number from 1
 run SCENE --threads 2x|--threads 2x: give a whole number from 1
 run SCENE --threads|--threads: no such option, or its value is missing; see
 run SCENE --fast|--fast: no such option, or its value is missing; see
 run SCENE -t 2|-t: no such option, or its value is missing; see
-measure|measure wants PACK.xyz --scene SCENE
-measure pack.xyz|measure wants PACK.xyz --scene SCENE
+measure|measure needs PACK.xyz --scene SCENE
+measure pack.xyz|measure needs PACK.xyz --scene SCENE
 theory|theory : no such curve; see
 theory percus --phi 0.3 --at 2|theory percus: no such curve; see
 theory py --at 2|--phi (missing): give numbers from
