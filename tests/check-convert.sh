@@ -27,15 +27,15 @@ tell 'shapes in a list' refused 'shapes.xyz: has shapes, and csv cannot hold tha
 tell 'a pentagon for LAMMPS' refused 'shapes.xyz: the species P has a shape that is no ellipse, and LAMMPS has ellipsoids only; xyz' \
   "$randpack" convert "$tmp/shapes.xyz" "$tmp/x.data"
 tell 'a mesh without a box' refused 'heap.xyz: does not repeat in a box, and gmsh cannot hold that; xyz' "$randpack" convert "$tmp/heap.xyz" "$tmp/x.geo"
-tell 'voxels of a list' refused '--cells is no option of csv; it is of vti, nrrd, raw' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.csv" --cells 10
-tell 'a gap of voxels' refused '--gap is no option of vti; it is of gmsh' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --gap 0.1
+tell 'voxels of a list' refused '--cells is not an option of csv; it is an option of vti, nrrd, raw' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.csv" --cells 10
+tell 'a gap of voxels' refused '--gap is not an option of vti; it is an option of gmsh' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --gap 0.1
 tell 'cells that are none' refused '--cells 8x8: give a whole number from 1 to 32768, or one for each side, as 64x64x32' \
   "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --cells 8x8
 tell 'more cells than can be' refused '--cells 40000: give' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --cells 40000
 tell 'a step that is none' refused '--step 0: give a length above 0' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --step 0
 tell 'two ways to say it' refused '--cells and --step; give one' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --step 1 --cells 9
 tell 'one name' refused 'convert needs PACK OUT' "$randpack" convert "$tmp/deep.xyz"
-tell 'an option of convert elsewhere' refused '--cells is no option of plan' "$randpack" plan examples/first.scene --cells 9
+tell 'an option of convert elsewhere' refused '--cells is not an option of plan' "$randpack" plan examples/first.scene --cells 9
 tell 'a pack that is none' refused 'none.xyz: cannot be read' "$randpack" convert "$tmp/none.xyz" "$tmp/x.csv"
 tell 'nothing was written' test ! -e "$tmp/x.csv" -a ! -e "$tmp/x.vti" -a ! -e "$tmp/x.geo" -a ! -e "$tmp/x.data"
 
@@ -106,7 +106,7 @@ scened() { # a list with the box of a scene is a pack that repeats
     convert "$tmp/deep-A.txt" "$tmp/set.data" --scene "$tmp/m3.scene" --set "side=$(printf %.17e "$(side "$tmp/deep-A.xyz")")" && cmp "$tmp/want.data" "$tmp/set.data"
 }
 tell 'the box of a list from a scene' scened
-tell 'a setting without a scene' refused '--set is no option of convert' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.csv" --set side=3
+tell 'a setting without a scene' refused '--set is not an option of convert' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.csv" --set side=3
 finite() { # without the radius that only xyz keeps
   sed '2s/Lattice="[^"]*"//; 2s/open=[^ ]*//' "$tmp/heap.xyz" > "$tmp/bare.xyz" && measured want heap "$tmp/bare.xyz" || return 1
   for f in csv txt; do convert "$tmp/heap.xyz" "$tmp/heap.$f" && measured got heap "$tmp/heap.$f" && same want got 1e-9 || { echo $f; return 1; }; done

@@ -144,7 +144,7 @@ index() {
     near "$(value nearest "$tmp/i")" "$(awk -v a="$(awk 'NR == 3 { print $NF }' $from/sizes.xyz)" -v n="$(value nearest "$tmp/p")" 'BEGIN { printf "%.9g", n * .967512484 / a }')"
 }
 tell 'two hundred names' index
-tell 'have too many pairs' refused 'o.scene:2: measure.partials is of pairs of species, and 200 species have too many; at most 20 species' \
+tell 'have too many pairs' refused 'o.scene:2: measure.partials counts pairs of species, and 200 species have too many; give at most 20 species' \
   "$randpack" measure "$tmp/index.xyz" --scene "$tmp/o.scene" --out "$tmp/new"
 
 # Radii that the file does not tell; a unit that the scene says.
@@ -154,7 +154,7 @@ bare() {
   measure b r "$tmp/bare.xyz" && diff -r "$tmp/m" "$tmp/b"
 }
 tell 'the scene tells the radius' bare
-tell 'or else there is none' refused "no radii; Properties must hold radius:R:1 or diameter:R:1, or the scene a radius" \
+tell 'or else there is none' refused "no radii; Properties must hold radius:R:1 or diameter:R:1, or the scene must give a radius" \
   "$randpack" measure "$tmp/bare.xyz" --scene "$tmp/m.scene" --out "$tmp/new"
 # One radius for all, by the fraction and the number: (3 phi V / 4 pi n)^(1/3) = <a^3>^(1/3).
 estimate() {

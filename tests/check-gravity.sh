@@ -39,7 +39,7 @@ file() { head -2 "$tmp/one/pack-0.xyz" | grep -q 'pbc="F F F".* open=' &&
 tell 'the file of a finite pack says so, and is measured the same' file
 bounds() { run one bounds --set save=false --set 'measure={bounds={reach=6.0;error=1e-3;};}' &&
   holds bounds 'v["zeta2"] > 0.1 && v["zeta2"] < 0.3 && e["zeta2"] > 0 && v["eta2"] > 0.3 && v["eta2"] < 0.7 && v["bounds_error"] < 0.2' &&
-  ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/none" --set 'measure={bounds={reach=20.0;};}' && grep -q 'the core of the pack reaches to R = .*to 20 from its centres' "$tmp/err"; }
+  ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/none" --set 'measure={bounds={reach=20.0;};}' && grep -q 'the core of the pack reaches to R = .*needs 20 from its centres' "$tmp/err"; }
 tell 'its bounds are of hosts that have all of the reach in the core' bounds
 threads() { run one t1 --threads 1 && run one t2 --threads 2 && diff -r "$tmp/t1" "$tmp/t2"; }
 tell 'with one thread and with two the same' threads

@@ -120,7 +120,7 @@ tell 'nor half of one' foreign grown-half halve
 tell 'nor one of another seed' foreign grown-other another
 wrong() { refused "--checkpoint $1: give seconds, or 0 for none" "$randpack" run "$tmp/grown.scene" --checkpoint "$1"; }
 for value in -1 1x nan ''; do tell "--checkpoint '$value' is wrong" wrong "$value"; done
-tell '--checkpoint is of run' refused 'is no option of plan' "$randpack" plan "$tmp/grown.scene" --checkpoint 3
+tell '--checkpoint is of run' refused 'is not an option of plan' "$randpack" plan "$tmp/grown.scene" --checkpoint 3
 full() { # the disk is full when a state is written: a note, and the results
   mkdir -p "$tmp/grown-full/parts"
   for k in 0 1; do for part in 1 2 3; do ln -s /dev/full "$tmp/grown-full/parts/state-$k-$part.part"; done; done

@@ -28,11 +28,11 @@ hostile 'in a dump' 11 'the file ends here; each particle'
 printf 'LAMMPS\n1e15 atoms\n0 8 xlo xhi\n0 8 ylo yhi\n0 8 zlo zhi\nAtoms # sphere\n\n1 1 1 1 1 1 1\n' > "$tmp/h"
 hostile 'in a data file' 9 'the file ends here; each particle'
 { printf '1\n%s\nA 1 2 3 1 ' "$full"; head -c 4000000 /dev/zero | tr '\0' a; echo; } > "$tmp/h"
-hostile 'a line of megabytes' 3 '6 words, and Properties tells 5 columns; each'
+hostile 'a line of megabytes' 3 '6 words, but Properties names 5 columns; give one'
 { printf '1\n%s a=' "$full"; head -c 1000000 /dev/zero | tr '\0' '['; printf '\nA 1 2 3 1\n'; } > "$tmp/h"
 hostile 'a million brackets' 2 'a bracket without its partner; see'
 { printf '1000000\n%s\n' "$full"; seq 1000000 | awk '{ print "S" $1, 1, 2, 3, 1 }'; } > "$tmp/h"
-hostile 'a million names' 65537 'too many species; at most 65534'
+hostile 'a million names' 65537 'too many species; give at most 65534'
 head -c 40000000 /dev/zero | gzip > "$tmp/h"
 hostile 'nothing but zeros, in forty kilobytes' 1 'a byte of zero; give a text'
 cp "$randpack" "$tmp/h"
@@ -46,7 +46,7 @@ bad 'half a particle' 1 'no number of particles; the first line' "2.5\n$full\n$t
 bad 'a number alone' 2 'the file ends here; each' '2\n'
 bad 'a file cut short' 5 'the file ends here; each' "3\n$full\n$two"
 bad 'more particles than memory' 5 'the file ends here; each' "18446744073709551615\n$full\n$two"
-bad 'a line cut short' 4 '3 words, and Properties tells 5 columns; each' "2\n$full\nA 1 2 3 1\nA 5 6\n"
+bad 'a line cut short' 4 '3 words, but Properties names 5 columns; give one' "2\n$full\nA 1 2 3 1\nA 5 6\n"
 bad 'a second pack behind the first' 5 'more lines than particles, and no second pack; the first' "2\n$full\n$two$two"
 bad 'no box' 2 'no box, and the pack is periodic; give Lattice' "2\n$what $pbc\n$two"
 bad 'a box of eight numbers' 2 'Lattice is not nine numbers; give Lattice' "2\nLattice=\"8 0 0 0 8 0 0 0\" $what $pbc\n$two"
@@ -73,7 +73,7 @@ printf '%b' "2\nLattice=\"8 0 0 0 7 0 0 0 9\" $what\n$two" > "$tmp/p.xyz"
 refuse 'a reach beyond half of its box' "measure.rdf.reach = 4 goes beyond half the box; the largest reach here is 3.5"
 printf '%b' "2\n$full\nA 1 2 3 1\nB 5 6 7 0.5\n" > "$tmp/p.xyz"
 printf 'dimension = 3; measure = { contact = {}; };' > "$tmp/c.scene"
-refuse 'a contact value of two sizes' "has several sizes; contact is of particles of one size" "$tmp/c.scene"
+refuse 'a contact value of two sizes' "has several sizes; contact needs particles of one size" "$tmp/c.scene"
 tell 'nothing was written' test ! -e "$tmp/new"
 
 # good NAME TEXT: the pack gives the numbers of the first one.

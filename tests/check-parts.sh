@@ -93,11 +93,11 @@ tell 'a failure is that of the whole run' jams
 tell 'merge of nothing' refused 'merge needs the directories of the pieces; see' "$randpack" merge
 tell 'merge of a directory without pieces' refused "$tmp/few: holds no finished realizations; give" "$randpack" merge "$tmp/few" --out "$tmp/none"
 tell 'missing ones' refused 'realizations are missing; make them with --realizations 0-2,4-6' "$randpack" merge "$tmp/few-1" --out "$tmp/none"
-tell 'of another scene' refused 'differs from the first, a scene of another name; merge them apart' \
+tell 'of another scene' refused 'differs from the first, a scene of another name; merge them separately' \
   "$randpack" merge "$tmp"/few-{0,1} "$tmp/discs-0" --out "$tmp/none"
 set_piece() { run few set-1 --realizations 3 --set fraction=0.3; }
 tell 'a piece with a setting' set_piece
-tell 'of other settings' refused 'differs from the first, other settings; merge them apart' "$randpack" merge "$tmp"/few-0 "$tmp/set-1" --out "$tmp/none"
+tell 'of other settings' refused 'differs from the first, other settings; merge them separately' "$randpack" merge "$tmp"/few-0 "$tmp/set-1" --out "$tmp/none"
 twice() { merge twice "$tmp"/few-{0,1,2,1} "$tmp/ones-4" && tables "$tmp/few" "$tmp/twice"; }
 tell 'what is there twice and the same is taken' twice
 # A program that is another one by a single letter of a fingerprint, and a record that is another one by a bit.

@@ -162,8 +162,8 @@ tell 'a pack too many' refused 'has 2 packs; give --frame 0 to 1' "$randpack" vi
 tell 'a pack that is no number' refused 'give a whole number' "$randpack" view "$tmp/both.xyz" --frame -1 -o "$tmp/no.png"
 tell 'a file that is no pack' refused ';' "$randpack" view "$tmp/discs.scene" -o "$tmp/no.png"
 tell 'a picture of a run in another format' refused 'give png, svg or pdf' "$randpack" run "$tmp/discs.scene" --plot=gif --out "$tmp/no"
-tell 'an option of another verb' refused '--plot is no option of plan' "$randpack" plan "$tmp/discs.scene" --plot
-tell 'a cut of a run' refused '--cut is no option of run' "$randpack" run "$tmp/discs.scene" --cut z=0.5
+tell 'an option of another verb' refused '--plot is not an option of plan' "$randpack" plan "$tmp/discs.scene" --plot
+tell 'a cut of a run' refused '--cut is not an option of run' "$randpack" run "$tmp/discs.scene" --cut z=0.5
 nothing_left() { ! ls -d "$tmp"/no* "$tmp"/*.part "$tmp"/png.d 2> /dev/null | grep .; }
 tell 'nothing was left of these' nothing_left
 

@@ -260,7 +260,7 @@ static void test_errors(void) {
       {DUMP CUBE "ITEM: ATOMS x y z\n0 0 0\n1 1 1\n", ":9:", "no radii"},
       {DUMP CUBE "ITEM: ATOMS x z radius\n0 0 1\n1 1 1\n", ":9:", "no positions"},
       {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n", ":11:", "ends here"},
-      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1\n", ":11:", "3 words, and ITEM: ATOMS tells 4 columns"},
+      {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1\n", ":11:", "3 words, but ITEM: ATOMS names 4 columns"},
       {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 q 1\n", ":11:", "q is not a number"},
       {DUMP CUBE "ITEM: ATOMS x y z radius\n0 0 0 1\n1 1 1 0\n", ":11:", "not above 0"},
       {DUMP CUBE, ":9:", "particles are missing"},
