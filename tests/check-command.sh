@@ -37,6 +37,12 @@ keys() { # every key of a scene that tests/bad names is explained
   done
 }
 tell 'help names the keys' keys
+narrow() { # the help, and that of each entry
+  "$randpack" help > "$tmp/all"
+  for name in $(sed -n 's/^  \(\(make\|shake\|measure\|theory\)\.[A-Za-z0-9_-]*\): .*/\1/p' "$tmp/all"); do "$randpack" help "$name"; done > "$tmp/each"
+  [ "$(grep -c '^Example:' "$tmp/each")" -gt 40 ] && ! grep -hE '^.{81}|^ {6,}$| $' "$tmp/all" "$tmp/each" && grep -qE '^ {31}[^ ]' "$tmp/each"
+}
+tell 'no line of help is wider than 80' narrow
 
 # --- lattices
 shells() {

@@ -117,7 +117,7 @@ static void ranges(int dim, const Pack *pack) {
   repeats->open = 0;
   plan.part = 1;
   gsl_test(dilute_pack(repeats, &plan, &rng, &report, &out) ||
-               !strstr(out.text, "repeats"),
+               !strstr(out.text, "is periodic"),
            "a pack that repeats is not diluted: %s", out.text);
   pack_free(&repeats);
 }

@@ -376,7 +376,7 @@ static void test_wrong_measures(randpack_pack *pack, randpack_pack *finite, rand
   refused(randpack_covered(pack, NULL, &out), "fraction is NULL");
   refused(randpack_least_gap(NULL, v, &out), "pack is NULL");
   refused(randpack_least_gap(pack, NULL, &out), "gap is NULL");
-  refused(randpack_g(pack, 0, 1, 4, v, &out), "ends at 4; at most 3");
+  refused(randpack_g(pack, 0, 1, 4, v, &out), "ends at 4; give at most 3");
   refused(randpack_g(pack, -1, 1, 2, v, &out), "from is -1");
   refused(randpack_g(pack, 0, 0, 2, v, &out), "step is 0");
   refused(randpack_g(pack, 0, 0.1, 0, v, &out), "0 bins");
