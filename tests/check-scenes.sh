@@ -74,7 +74,7 @@ measure.histogram={radius=17.0;}|measure.histogram.radius = 17 goes beyond half 
 measure.order.cut=1e9|:--set: cut has a wrong value; give the longest
 measure.nearest.reach=1e9|step and reach of measure.nearest make 5e+10 bins; give
 measure.K={step=5.0;reach=2.0;}|step and reach of measure.K make 0 bins; give
-measure.quotients.steps=[3.0]|steps of measure.quotients contain 3; from
+measure.quotients.steps=[3.0]|steps of measure.quotients contain 3; give
 END
 
 # Options and words.
