@@ -41,6 +41,10 @@ packages() {
     <(sed -n '/^what & packages/,/bottomrule/p' "$guide" | grep -o '\[\[[a-z0-9-]*\]\]' | tr -d '[]' | sort)
 }
 tell 'the packages' packages
+makers() {
+  diff <(sed -n 's/^make\.//p' <<< "$entries" | sort) <(sed -n '/^\[\[method\]\] &/,/bottomrule/p' "$guide" | sed '1d; s/ & .*//' | grep -o '\[\[[a-z]*\]\]' | tr -d '[]' | sort)
+}
+tell 'the makers' makers
 
 # ---- tables and rows: of scenes that have every measure, and of the examples
 ends 0 bash -c ". tests/small.sh; small_scenes '$tmp'"
