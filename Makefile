@@ -280,7 +280,7 @@ $(B)/paper/%.tex: $(B)/%.tsv paper/findings-tex.awk
 	@awk -v score=$(@D)/$*-score.tex -v recorded='$(RECORDED)' -f paper/findings-tex.awk $< > $@
 $(B)/paper/hard.tex: $(B)/hard.tsv paper/hard.awk
 	@mkdir -p $(@D)
-	@awk -f paper/hard.awk $< > $@
+	@awk -v score=$(@D)/hard-score.tex -f paper/hard.awk $< > $@
 $(B)/paper/web.tex: $(WEB)
 	@mkdir -p $(@D)
 	@noweave -n -index $(WEB) > $@
