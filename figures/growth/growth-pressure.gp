@@ -33,5 +33,5 @@ set label 3 ink(8, "collisions a particle:") at 0.488,9.3
 set label 4 ink(7, "Schultz") at 0.538,-0.45 right
 plot 0 with lines lt 8, ratio("schultz", "carnahan-starling", 0.5505) using "phi":(percent(over("Z"))) with lines lt 7, \
   for [i = 1:2] long(word("50 800", i)) using "fraction":(percent(column("Z")/Z("carnahan-starling"))):(100*column("Z_err")/Z("carnahan-starling")) with yerrorbars lt 2*i - 1 pt 0, \
-  for [i = 1:2] long(word("50 800", i)) using "fraction":(percent(column("Z")/Z("carnahan-starling"))):(column("solid_fraction_after") > 0.02 ? 8 - 2*i + 2*(i == 2) : 9 - 2*i + 4*(i == 2)) with points lt 2*i - 1 pt variable ps 0.6
+  for [i = 1:2] long(word("50 800", i)) using "fraction":(percent(column("Z")/Z("carnahan-starling"))):(2*i + (column("solid_fraction_after") > 0.02 ? 4 : 5)) with points lt 2*i - 1 pt variable ps 0.6
 unset multiplot
