@@ -15,9 +15,9 @@ set lmargin screen 0.11; set rmargin screen 0.46
 set yrange [0.46:0.52]; set ytics 0.02; set mytics 2; set format y "%.2f"
 set arrow 1 from 0,0.49 to 6,0.49 nohead lt 8 lw 0.6 back
 set label 9 "$S_{aa}$" at screen 0.012,graph 0.5 center rotate
-set label 1 ink(Grown, "$\\bullet$ springs") at graph 0.96,graph 0.93 right
-set label 2 ink(Added, "$\\scriptstyle\\blacklozenge$ areas") at graph 0.96,graph 0.84 right
-set label 3 ink(Metropolis, "$\\scriptstyle\\blacktriangle$ both, shaken") at graph 0.96,graph 0.75 right
+set label 1 ink(Grown, "$\\bullet$ springs") at graph 0.96,graph 0.22 right
+set label 2 ink(Added, "$\\scriptstyle\\blacklozenge$ areas") at graph 0.96,graph 0.14 right
+set label 3 ink(Metropolis, "$\\scriptstyle\\blacktriangle$ both, shaken") at graph 0.96,graph 0.06 right
 plot curve("made", "dynamics") using "R":"S2":"S2_err" with yerrorlines lt Grown lw 1 ps 0.25, curve("made", "area") using "R":"S2":"S2_err" with yerrorlines lt Added lw 1 ps 0.3, \
   for [i = 1:2] curve("shaken", word("dynamics area", i)) using "R":"S2":"S2_err" with yerrorlines lt Metropolis dt i lw 1 ps 0.25
 unset label; unset arrow

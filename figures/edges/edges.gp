@@ -25,9 +25,9 @@ do for [panel = 0:1] {
   set tmargin screen 0.355; set bmargin screen 0.095; set format x "%g"; set xlabel "particles in the window, $N$" offset 0,0.6
   set yrange [1:60]; set ytics (1, 3, 10, 30)
   set label 1 "scatter of $g$, per cent" at screen side(panel),graph 0.5 center rotate
-  set label 3 "lines: $2.8\\le R<3$" at graph 0.05,0.19
+  set label 3 "lines: $2.8\\le R<3$" at graph 0.05,0.22
   if (panel) {
-    set label 4 "dotted: contact value" at graph 0.05,0.08
+    set label 4 "dotted: contact value" at graph 0.05,0.10
     plot for [i = 1:3] rows(packs, word(ways, i)) using "N":(100*column("g_sd")):(100*column("g_sd_err")) with yerrorlines lt int(word(inks, i)) lw 1 pt int(word(forms, i)) ps 0.5, \
       for [i = 1:3] rows(packs, word(ways, i)) using "N":(100*column("contact_sd")) with lines lt int(word(inks, i)) dt 3 lw 1.4
   } else {

@@ -2,9 +2,9 @@
 # data: cluster-discs
 shared(r) = r < 2 ? 2*(acos(r/2) - r/2*sqrt(1 - r*r/4))/pi : 0
 s2(r,p) = 2*p - 1 + (1 - p)**2*exp(-log(1 - p)*shared(r))
-set xrange [0:12.2]; set yrange [0:0.95]
+set xrange [0:12.2]; set yrange [0:0.95]; set ytics 0.2; set mytics 2
 set xlabel "$R=r/a$"; set ylabel "$C_2$ (points), $S_2$ (lines)" offset 1
-set key inside top right horizontal
+set key inside top right vertical maxrows 1 width 1
 plot data("cluster-discs", "C2@0.3.tsv") using "R":"C2":"C2_err" with yerrorbars lt 1 pt 7 ps 0.3 title "$\\phi=.3$", \
   data("cluster-discs", "C2@0.55.tsv") using "R":"C2":"C2_err" with yerrorbars lt 2 pt 5 ps 0.3 title "$.55$", \
   data("cluster-discs", "C2@0.6763.tsv") using "R":"C2":"C2_err" with yerrorbars lt 3 pt 9 ps 0.35 title "$.6763$", \

@@ -11,7 +11,7 @@ plot data("sections-one", "section_discs.tsv") using "R":"f":"f_err" with yerror
   (x < 1 ? x / sqrt(1 - x * x) : 1 / 0) with lines lt Law title "law"
 set lmargin screen 0.58; set rmargin screen 0.98
 set xlabel "$R=r/a$"; set xrange [0:4]; set yrange [0:4.2]; set ytics 1; set key at graph 0.98,0.98 right vertical Right noreverse
-set label 1 "$g$" at graph -0.24,0.5 center rotate
+set label 1 "$g(R)$" at graph -0.24,0.5 center rotate
 plot data("sections-one", "rdf.tsv") using "R":"g" with lines lt Law title "spheres", \
   data("sections-one", "section_rdf.tsv") using "R":"g":"g_err" with yerrorbars lt 1 ps 0.4 title "discs"
 set tmargin screen 0.47; set bmargin screen 0.11

@@ -9,7 +9,7 @@ set multiplot
 set lmargin screen 0.095; set rmargin screen 0.47; set tmargin screen 0.97; set bmargin screen 0.18
 set logscale x; set xrange [1:10]; set xtics (1, 2, 3, 5, 10); set yrange [0:1.03]; set ytics 0.2; set mytics 2
 set xlabel "radius, by the least" offset 0,0.4; set label 9 "share of what is smaller" at screen 0.012,graph 0.5 center rotate
-set label 1 ink(1, "$\\bullet$ number") at 1.35,0.95
+set label 1 ink(1, "$\\bullet$ number") at 1.15,0.96
 set label 2 ink(2, "$\\scriptstyle\\blacksquare$ volume") at 4.6,0.38
 set label 3 ink(8, "lines: the law") at 3.9,0.12
 set samples 200

@@ -11,7 +11,7 @@ set y2range [0:49.2]
 set label 1 "$g(R)$" at screen 0.022,graph 0.5 center rotate
 set label 2 ink(Guide, "fcc:") at 2.78,0.13 right
 set label 3 ink(Grown, "$\\phi=.63$ ($\\scriptstyle\\square$)") at 3.33,1.72 right
-set label 4 ink(Grown, "$.575$ ($\\bullet$)") at 3.52,1.12 left
+set label 4 ink(Grown, "$.575$ ($\\bullet$)") at 3.57,1.09 left
 do for [i = 1:4] { set label 10+i ink(Guide, word("$2\\sqrt2$ $2\\sqrt3$ $4$ $2\\sqrt5$", i)) at 2*sqrt(i+1),1.97 center }
 plot data("lattice-fcc", "shells.tsv") using "R":"I" axes x1y2 with impulses lc rgb "#bbbbbb" lw 3, \
   "" using "R":"I":(sprintf("%d", column("I"))) axes x1y2 with labels offset 1.1,-0.5, \

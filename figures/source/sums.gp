@@ -12,10 +12,10 @@ set lmargin screen 0.1; set rmargin screen 0.475
 set xrange [0:0.64]; set yrange [-1.6:2]; set ytics 0.5; set xtics 0.2
 set xlabel "$c$" offset 0,0.6; set label 1 "$S(0)$" at screen 0.013,graph 0.5 center rotate
 set label 2 "(a)" at graph 0,1.07
-set label 3 ink(Guide, "$\\scriptstyle\\square$ well-stirred (10)") at 0.335,-1.42 front
-set label 4 ink(Willis, "$\\scriptstyle\\blacksquare$ Willis (12)") at 0.305,0.21 front
-set label 5 ink(13, "$\\scriptstyle\\blacktriangle$ Kanaun (13)") at 0.21,-0.33 front
-set label 6 ink(Py, "$\\bullet$ Percus--Yevick") at 0.09,0.82
+set label 3 ink(Guide, "well-stirred (10)") at 0.335,-1.42 front
+set label 4 ink(Willis, "Willis (12)") at 0.29,0.40 front
+set label 5 ink(13, "Kanaun (13)") at 0.225,-0.33 front
+set label 6 ink(Py, "Percus--Yevick") at 0.09,0.82
 set object 1 rectangle from graph 0,graph 0 to graph 1,first 0 fc rgb "#eeeeee" fs solid noborder behind
 set label 7 ink(Guide, "no pack") at 0.03,-1.42 front
 marks(n) = columns(sprintf("'of=%s_*_S0' %s", n, data("theory-curves", "summary.tsv")))

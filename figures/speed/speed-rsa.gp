@@ -23,7 +23,7 @@ unset ylabel; set format y ""
 set xrange [3e-8:2e-2]; set xtics 1e-7,10; set xlabel "seconds a particle"
 set arrow 1 from saturated("discs"),2.5e-3 to saturated("discs"),9e-4 lt 1 lw 1.5 size graph 0.02,25
 set arrow 2 from saturated("spheres"),2.5e-3 to saturated("spheres"),9e-4 lt 2 lw 1.5 size graph 0.02,25
-set label 1 ink(1, "discs") at saturated("discs")*0.8,1.4e-3 right; set label 2 ink(2, "spheres") at saturated("spheres")*1.3,1.4e-3
+set label 1 ink(Discs, "discs") at saturated("discs")*0.8,1.4e-3 right; set label 2 ink(Spheres, "spheres") at saturated("spheres")*1.3,1.4e-3
 plot rows("plain_trials", "discs") using (each(1)):"error":(each_err(1)) with xerrorlines lt 1 pt 6 dt 2, \
   rows("plain_trials", "spheres") using (each(1)):"error":(each_err(1)) with xerrorlines lt 2 pt 4 dt 2, \
   rows("ours", "discs") using (each(1)):"error":(each_err(1)) with xerrorlines lt 1, \

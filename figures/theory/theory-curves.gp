@@ -10,7 +10,7 @@ set tmargin screen 0.985; set bmargin screen 0.58
 set yrange [0:3.4]
 set key at graph 0.99,0.99 right vertical maxrows 3
 plot f using "R":"py_0.6" with lines lc rgb "#000000" lw 1.8 title "$\\phi=.6$", f using "R":"py_0.575" with lines lt Py lw 1.6 title "$.575$", \
-  f using "R":"py_0.49" with lines lc rgb "#0072b2" lw 1.6 dt 2 title "$.49$", f using "R":"py_0.3" with lines lc rgb "#3a94c8" lw 1.6 dt 5 title "$.3$", f using "R":"py_0.1" with lines lc rgb "#56b4e9" lw 1.6 dt 3 title "$.1$", \
+  f using "R":"py_0.49" with lines lc rgb "#0072b2" lw 1.6 dt 2 title "$.49$", f using "R":"py_0.3" with lines lc rgb "#0072b2" lw 1.4 title "$.3$", f using "R":"py_0.1" with lines lc rgb "#3a94c8" lw 2 dt 3 title "$.1$", \
   f using "R":"well-stirred_0.575" with lines lt Guide title "well-stirred"
 set tmargin screen 0.49; set bmargin screen 0.11
 set xlabel "$R=r/a$"; set yrange [0:7.4]

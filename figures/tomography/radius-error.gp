@@ -31,7 +31,7 @@ set xrange [0.004:0.12]; set logscale xy; set xtics (".005" 0.005, ".01" 0.01, "
 set yrange [2:30]; set ytics (2, 3, 5, 7, 10, 15, 20, 30); unset mytics
 set xlabel "spread $s$" offset 0,0.6; set label 10 "height of the peak" at screen 0.525,graph 0.5 center rotate
 set label 1 "$\\bullet$ measured" at graph 0.04,0.42
-set label 2 ink(Guide, "equal, smeared (solid)") at graph 0.04,0.31
+set label 2 ink(Guide, "equal, smeared") at graph 0.04,0.31
 set label 3 ink(Law, "exponential, smeared") at graph 0.04,0.20
 set label 4 ink(8, "$\\frac12+A/2\\sqrt\\pi s$") at graph 0.04,0.09
 set arrow 1 from 0.004,height to 0.12,height nohead lt 8 dt 3
@@ -51,7 +51,7 @@ set lmargin screen 0.61; set rmargin screen 0.985
 set xrange [-10:10]; set xtics 5; set mxtics 5; set yrange [-100:50]; set ytics 20; set mytics 2; set format y "$%g$"; set format x "$%g$"
 set xlabel "error of the radius, per cent" offset 0,0.6; set label 10 "change of the peak, per cent" at screen 0.51,graph 0.5 center rotate
 set arrow 1 from 0,-100 to 0,50 nohead lt 8 dt 3 back
-set label 1 "spread" at 3.6,45
+set label 1 "spread" at 7.4,45 right
 do for [i = 2:6] { set label 1 + i ink(int(word(inks, i)), word(names, i)) at 8.2,45 - 9*(i - 2) }
 set label 9 "B" at 6.2,-38; set label 11 "B" at -5.2,18
 plot 0 with lines lt 8, for [i = 2:6] wrong(word(spreads, i)) using (100*column("error")):(100*column("first")) with lines lt int(word(inks, i)) lw 1.1, \

@@ -17,7 +17,7 @@ set label 3 ink(Retry, "$\\scriptstyle\\blacksquare$ $N=2000$, shaken") at graph
 plot large using "R":"g" with lines lt Grown, made using "R":"g":"g_err" every 2 with yerrorbars lt Grown pt 6 ps 0.55, \
   shaken using "R":"g":"g_err" with yerrorbars lt Retry ps 0.35
 unset label
-set lmargin screen 0.58; set rmargin screen 0.985; set label 9 "$g(R)$" at screen 0.525,graph 0.5 center rotate
+set lmargin screen 0.60; set rmargin screen 0.985; set label 9 "$g(R)$" at screen 0.53,graph 0.5 center rotate
 set xrange [2.3:5]; set xtics 2.5,0.5; set mxtics 5; set yrange [0.3:1.7]; set ytics 0.5
 plot large using "R":"g" with lines lt Grown, made using "R":"g" every 4 with points lt Grown pt 6 ps 0.45, \
   shaken using "R":"g" every 4::2 with points lt Retry ps 0.3
