@@ -28,8 +28,8 @@ do for [i = 1:3] {
   if (i == 1) { set label 9 "error of the area" at screen 0.01,graph 0.5 center rotate }
   if (i == 2) { set xlabel "microseconds a pair, one core" } else { set xlabel " " }
   if (i == 3) {
-    do for [j = 1:5] { set label 10 + j ink(j, "$m=".word(ms, j)."$") at graph 0.98,0.5 - 0.075*j right }
-    set label 20 ink(Law, "pentagons") at graph 0.98,0.05 right
+    do for [j = 1:5] { set label 10 + j ink(j, "$m=".word(ms, j)."$") at graph 0.98,0.53 - 0.075*j right }
+    set label 20 ink(Law, "pentagons") at graph 0.98,0.075 right
   }
   plot for [j = 1:5] $sizes using (ptime(a."-".word(ms, j), column("k"))):(points(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 pt 6 ps 0.6, \
     for [j = 1:5] $sizes using (mtime(a."-".word(ms, j), column("k"))):(mixed(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 pt 4 ps 0.6, \
