@@ -19,5 +19,5 @@ unset label 9; unset label 2
 set lmargin screen 0.57; set rmargin screen 0.96; set format y ""
 set label 1 "may overlap; lines: the law" at 5.9,0.78 right
 plot for [k = 1:8] data("two-penetrable", sprintf("boolean@0.%d.tsv", k)) using "R":"S2_phi" with lines lt Law lw 0.8, \
-  for [k = 1:8] curve("penetrable", k) using "R":"S2":"S2_err" every 2 with yerrorbars lt 2 pt 5 ps 0.2 lw 0.8
+  for [k = 1:8] curve("penetrable", k) using "R":"S2":"S2_err" every 2 with yerrorbars lt 2 pt 4 ps 0.3 lw 0.8
 unset multiplot

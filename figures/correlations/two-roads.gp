@@ -13,7 +13,7 @@ set xrange [0:6]; set xtics 1
 set xlabel "$R=r/a$" offset 0,0.4
 set lmargin screen 0.11; set rmargin screen 0.46
 set yrange [0.46:0.52]; set ytics 0.02; set mytics 2; set format y "%.2f"
-set arrow 1 from 0,0.49 to 6,0.49 nohead lt 8 lw 0.6 back
+set arrow 1 from 0,0.49 to 6,0.49 nohead lt Guide lw 0.6 back
 set label 9 "$S_{aa}$" at screen 0.012,graph 0.5 center rotate
 set label 1 ink(Grown, "$\\bullet$ springs") at graph 0.96,graph 0.22 right
 set label 2 ink(Added, "$\\scriptstyle\\blacklozenge$ areas") at graph 0.96,graph 0.14 right
@@ -23,7 +23,7 @@ plot curve("made", "dynamics") using "R":"S2":"S2_err" with yerrorlines lt Grown
 unset label; unset arrow
 set lmargin screen 0.6; set rmargin screen 0.985
 set yrange [-6:6]; set ytics 2; set format y "$%g$"
-set arrow 1 from 0,0 to 6,0 nohead lt 8 lw 0.6 back
+set arrow 1 from 0,0 to 6,0 nohead lt Guide lw 0.6 back
 set label 9 "$10^3\\times$ change by shaking" at screen 0.515,graph 0.5 center rotate
 set label 1 ink(Grown, "$\\bullet$ springs") at graph 0.96,graph 0.93 right
 set label 2 ink(Added, "$\\scriptstyle\\blacklozenge$ areas") at graph 0.96,graph 0.84 right

@@ -7,7 +7,7 @@ unset key
 set tmargin screen 0.97; set bmargin screen 0.18
 set xrange [0:5]; set xtics 1; set yrange [0.2:0.41]; set ytics 0.05; set mytics 2
 set xlabel "$R=r/a$" offset 0,0.4
-set arrow 1 from 0,0.25 to 5,0.25 nohead lt 8 lw 0.6 back
+set arrow 1 from 0,0.25 to 5,0.25 nohead lt Guide lw 0.6 back
 set format y "%.2f"
 set lmargin screen 0.11; set rmargin screen 0.515
 set label 9 "$S_{aa}$" at screen 0.012,graph 0.5 center rotate

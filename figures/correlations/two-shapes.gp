@@ -19,7 +19,7 @@ word_of = 'do for [i = 1:words(list)] { set label 1 + i ink(int(word(inks, i)), 
 set yrange [0.2:0.36]; set ytics 0.05; set mytics 2; set format y "%.2f"
 do for [p = 0:3] {
   @place
-  set arrow 1 from 0,0.25 to 5,0.25 nohead lt 8 lw 0.6 back
+  set arrow 1 from 0,0.25 to 5,0.25 nohead lt Guide lw 0.6 back
   if (p % 2 == 0) { set format y "%.2f" } else { set format y "" }
   if (p % 2 == 0) { set label 9 "$S_{aa}$" at screen 0.012,graph 0.5 center rotate }
   list = p == 0 ? aspects : p == 1 ? exponents : polygons; inks = p < 2 ? colour : sides
@@ -43,7 +43,7 @@ set yrange [-25:20]; set ytics 10; set format y "%.0f"
 set xlabel "$R=r/a$" offset 0,0.4
 do for [p = 4:5] {
   @place
-  set arrow 1 from 0,0 to 5,0 nohead lt 8 lw 0.6 back
+  set arrow 1 from 0,0 to 5,0 nohead lt Guide lw 0.6 back
   if (p == 4) { set format y "$%g$" } else { set format y "" }
   if (p == 4) { set label 9 "$10^3\\times$ less the disc's" at screen 0.012,graph 0.5 center rotate }
   if (p == 4) {

@@ -20,11 +20,11 @@ do for [i = 0:1] {
   if (i) {
     set label 1 "$\\phi=.3$" at graph 0.97,0.84 right
     set label 3 ink(2, "surfaces, $\\frac12R_\\phi$") at 0.205,28 right; set label 4 ink(3, "surfaces, $R_\\phi$") at 0.268,5
-    set label 5 ink(5, "centres, $\\frac12R_\\phi$") at 0.283,1; set label 6 ink(4, "centres, $R_\\phi$") at 0.045,90
+    set label 5 ink(5, "centres, $\\frac12R_\\phi$") at 0.283,1; set label 6 ink(4, "$\\scriptstyle\\blacklozenge$ centres, $R_\\phi$") at 0.035,90
   } else { set label 1 "$\\phi=.5$" at graph 0.97,0.95 right }
-  plot law(f, "surfaces", "0.5") using (gap(column("R"))):(2*column("H")):(2*column("H_err")) with yerrorlines lt 2 lw 1 pt 5 ps 0.3, \
-    law(f, "surfaces", "1") using (gap(column("R"))):(2*column("H")):(2*column("H_err")) with yerrorlines lt 3 lw 1 pt 9 ps 0.3, \
-    law(f, "centres", "0.5") using (gap(column("R"))):(2*column("H")):(2*column("H_err")) with yerrorlines lt 5 lw 1 pt 11 ps 0.3, \
-    law(f, i ? "centres" : "surfaces", "1") using (gap(column("R"))):(2*column("H")):(2*column("H_err")) with yerrorlines lt (i ? 4 : 3) lw 1 pt (i ? 13 : 9) ps 0.3
+  plot law(f, "surfaces", "0.5") using (gap(column("R"))):(2*column("H")):(2*column("H_err")) with yerrorlines lt 2 lw 1 pt 5 ps 0.4, \
+    law(f, "surfaces", "1") using (gap(column("R"))):(2*column("H")):(2*column("H_err")) with yerrorlines lt 3 lw 1 dt 2 pt 9 ps 0.45, \
+    law(f, "centres", "0.5") using (gap(column("R"))):(2*column("H")):(2*column("H_err")) with yerrorlines lt 5 lw 1 dt 3 pt 11 ps 0.45, \
+    law(f, i ? "centres" : "surfaces", "1") using (gap(column("R"))):(2*column("H")):(2*column("H_err")) with yerrorlines lt (i ? 4 : 3) lw 1 dt 0 + (i ? 4 : 2) pt (i ? 13 : 9) ps 0.45
 }
 unset multiplot

@@ -19,7 +19,7 @@ set yrange [0.3:2.2]; unset label
 set label 9 "$g(R)$" at screen 0.022,graph 0.5 center rotate
 set label 1 "$\\phi=.38$" at 5.4,1.9
 set label 2 ink(Gravity, "diluted, moves between surfaces ($\\scriptstyle\\blacktriangle$)") at 2.75,1.9; set label 3 ink(Gravity, "diluted, moves between centres ($\\triangle$)") at 2.75,1.72
-set label 6 ink(Gravity, "surfaces") at 4.62,1.55; set label 7 ink(Gravity, "centres") at 2.06,0.62
+set label 6 ink(Gravity, "surfaces") at 4.62,1.55
 set label 4 ink(Added, "by addition") at 2.75,1.54; set label 5 ink(Grown, "by growth") at 2.75,1.36
 plot data("side-added", "rdf.tsv") using "R":"g":"g_err" with yerrorlines lt Added lw 0.8 ps 0.25, \
   data("side-grown", "made.rdf@0.38.tsv") using "R":"g":"g_err" with yerrorlines lt Grown lw 0.8 ps 0.25, \

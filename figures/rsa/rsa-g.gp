@@ -12,6 +12,6 @@ plot t using "R":"py_0.3" with lines lt Py title "Percus--Yevick, $\\phi=.30$", 
 set lmargin screen 0.40; set rmargin screen 0.97; set tmargin screen 0.97; set bmargin screen 0.55
 set yrange [-0.15:0.11]; set ytics 0.05; set xtics 1
 unset key; unset label; unset xlabel; set ylabel "RSA $-$ PY" offset 2.2
-set xzeroaxis lt 8
+set xzeroaxis lt Guide
 plot columns(g." ".t) using "R":(column("g") - column("py_0.3_2")):"g_err" with yerrorbars lt Added ps 0.3
 unset multiplot

@@ -26,7 +26,7 @@ do for [k = 1:2] {
       set label 2 ink(Grown, "fast growth") at 30,5.1 right; set label 3 ink(Added, "random addition") at 0.5,4.05
       set label 4 ink(Grown, "slow growth") at 0.5,2.2; set label 5 ink(Jammed, "crystal") at 0.5,0.5
       }
-    if (k == 2 && j == 2) { set label 6 ink(8, "fluid, $g(2^+)$") at 5500,fluid + 0.55 right }
+    if (k == 2 && j == 2) { set label 6 ink(Guide, "fluid, $g(2^+)$") at 5500,fluid + 0.55 right }
     plot for [i = 1:4] file(word(starts, i), rule, radius) using (at(column("M"))*(1 + 0.04*(i - 2.5))):"contact_first_bin":"contact_first_bin_err" with yerrorlines lt int(word(style, i)) lw 0.8 pt int(word(form, i)) ps (i == 2 ? 0.55 : 0.5)
   }
   unset label; unset arrow

@@ -33,11 +33,11 @@ set lmargin screen 0.55; set rmargin screen 0.985; set bmargin screen 0.40
 set label 9 "$g(R)$" at screen 0.49,graph 0.5 center rotate; set xrange [2.5:4.5]; set xtics 0.5; set format x ""; unset xlabel; set yrange [0:1.9]; set ytics 0.5
 h = 2*sqrt(3)
 set object 1 rectangle from 2.75,graph 0 to 2.85,graph 0.86 fc rgb "#dddddd" fs solid 1 noborder behind
-set arrow 1 from h,graph 0 to h,graph 0.86 nohead lt 8 back
-set arrow 2 from 4,graph 0 to 4,graph 0.86 nohead lt 8 back
-set label 1 ink(8, "$2\\sqrt3$") at h,graph 0.91 center
-set label 2 ink(8, "$4$") at 4,graph 0.91 center
-set label 3 ink(8, "B: gap") at 2.8,graph 0.91 center
+set arrow 1 from h,graph 0 to h,graph 0.86 nohead lt Guide back
+set arrow 2 from 4,graph 0 to 4,graph 0.86 nohead lt Guide back
+set label 1 ink(Guide, "$2\\sqrt3$") at h,graph 0.91 center
+set label 2 ink(Guide, "$4$") at 4,graph 0.91 center
+set label 3 ink(Guide, "B: gap") at 2.8,graph 0.91 center
 plot theory using "R":"willis_0.575" with lines lt Willis, theory using "R":"py_0.575" with lines lt Py, \
   made using "R":(low("g")):(high("g")) with filledcurves lt Grown, made using "R":"g" with lines lt Grown lw 1, \
   shaken("metropolis", 60) using "R":(low("g")):(high("g")) with filledcurves lt Metropolis, shaken("metropolis", 60) using "R":"g" with lines lt Metropolis lw 1, \
@@ -46,8 +46,8 @@ unset label
 set tmargin screen 0.36; set bmargin screen 0.125
 set format x "%g"; set xlabel "$R=r/a$" offset 0,0.7; set label 9 "change, \\%" at screen 0.478,graph 0.5 center rotate; set yrange [-6:6]; set ytics 5
 set object 1 rectangle from 2.75,graph 0 to 2.85,graph 1
-set arrow 1 from h,graph 0 to h,graph 1 nohead lt 8 back
-set arrow 2 from 4,graph 0 to 4,graph 1 nohead lt 8 back
-plot 0 with lines lt 8, change("metropolis") using (column("R") - 0.006):(percent("change")):(percent("change_err")) with yerrorbars lt Metropolis ps 0.45, \
+set arrow 1 from h,graph 0 to h,graph 1 nohead lt Guide back
+set arrow 2 from 4,graph 0 to 4,graph 1 nohead lt Guide back
+plot 0 with lines lt Guide, change("metropolis") using (column("R") - 0.006):(percent("change")):(percent("change_err")) with yerrorbars lt Metropolis ps 0.45, \
   change("retry") using (column("R") + 0.006):(percent("change")):(percent("change_err")) with yerrorbars lt Retry ps 0.35
 unset multiplot

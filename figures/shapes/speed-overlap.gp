@@ -31,10 +31,10 @@ do for [i = 1:3] {
     do for [j = 1:5] { set label 10 + j ink(j, "$m=".word(ms, j)."$") at graph 0.98,0.53 - 0.075*j right }
     set label 20 ink(Law, "pentagons") at graph 0.98,0.075 right
   }
-  plot for [j = 1:5] $sizes using (ptime(a."-".word(ms, j), column("k"))):(points(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 pt 6 ps 0.6, \
-    for [j = 1:5] $sizes using (mtime(a."-".word(ms, j), column("k"))):(mixed(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 pt 4 ps 0.6, \
+  plot for [j = 1:5] $sizes using (ptime(a."-".word(ms, j), column("k"))):(points(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 dt j pt 6 ps 0.6, \
+    for [j = 1:5] $sizes using (mtime(a."-".word(ms, j), column("k"))):(mixed(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 dt j pt 4 ps 0.6, \
     for [j = 1:5] "+" using (took(a."-".word(ms, j), "ours")):(known("speed", sprintf("overlap_%s-%s_ours", a, word(ms, j)))) every ::0::0 with points lt j pt 7 ps 0.8, \
-    $sizes using (ptime("pentagon", column("k"))):(points("pentagon", column("k"))) with linespoints lt 7 lw 0.8 pt 6 ps 0.6, \
-    "+" using (took("pentagon", "ours")):(known("speed", "overlap_pentagon_ours")) every ::0::0 with points lt 7 pt 7 ps 0.8
+    $sizes using (ptime("pentagon", column("k"))):(points("pentagon", column("k"))) with linespoints lt Law lw 0.8 pt 6 ps 0.6, \
+    "+" using (took("pentagon", "ours")):(known("speed", "overlap_pentagon_ours")) every ::0::0 with points lt Law pt 7 ps 0.8
 }
 unset multiplot

@@ -11,7 +11,7 @@ set logscale x; set xrange [1:10]; set xtics (1, 2, 3, 5, 10); set yrange [0:1.0
 set xlabel "radius, by the least" offset 0,0.4; set label 9 "share of what is smaller" at screen 0.012,graph 0.5 center rotate
 set label 1 ink(1, "$\\bullet$ number") at 1.15,0.96
 set label 2 ink(2, "$\\scriptstyle\\blacksquare$ volume") at 4.6,0.38
-set label 3 ink(8, "lines: the law") at 3.9,0.12
+set label 3 ink(Guide, "lines: the law") at 3.9,0.12
 set samples 200
 plot (x**-2.5 - 1)/(10**-2.5 - 1) with lines lt Guide lw 1.2 dt 1, (sqrt(x) - 1)/(sqrt(10) - 1) with lines lt Guide lw 1.2 dt 1, \
   shares using "radius":"number" with points lt 1 pt 7 ps 0.4, shares using "radius":"volume" with points lt 2 pt 5 ps 0.35

@@ -39,7 +39,7 @@ set label 5 ink(Guide, "in $2r/(a_1+a_2)$") at 1.9,1.75
 set label 6 sprintf("at $r=%.3f\\,a_1$:", a1 + a2 + s0) at 1.72,7.3
 set label 7 ink(1, sprintf("$g_{12}=%.2f$", curve(2 + s0/a2))) at 1.72,6.45
 set label 8 ink(2, sprintf("$g_{21}=%.2f$", curve(2 + s0/a1))) at 1.72,5.6
-set arrow 1 from a1 + a2 + s0,curve(2 + s0/a2) to a1 + a2 + s0,curve(2 + s0/a1) heads size 0.03,20 lt 7 lw 0.8
+set arrow 1 from a1 + a2 + s0,curve(2 + s0/a2) to a1 + a2 + s0,curve(2 + s0/a1) heads size 0.03,20 lt Law lw 0.8
 set samples 600
 plot [x=a1+a2:2.6] 1 with lines lt Guide, curve((x - a1)/a2 + 1) with lines lt 1, curve((x - a2)/a1 + 1) with lines lt 2 dt 4, \
   curve(2*x/(a1 + a2)) with lines lt Guide lw 1.4

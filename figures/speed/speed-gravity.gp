@@ -20,17 +20,17 @@ set label says(Discs, "adaptive, 2-D", "ours", "adaptive-2") at 1.5e5,110 right
 set label says(Spheres, "3-D", "ours", "adaptive-3") at 4e4,45
 set label says(Spheres, "literal, 3-D", "ours", "literal-3") at 1.5e5,22.3 right
 set label says(Discs, "literal, 2-D", "ours", "literal-2") at 1.5e5,5.2 right
-plot rows("plain_all", "literal-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 7, \
-  rows("ours", "adaptive-2") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 1, \
-  rows("ours", "adaptive-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 2, \
-  rows("ours", "literal-2") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 1 dt 2 pt 6, \
-  rows("ours", "literal-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt 2 dt 2 pt 4
+plot rows("plain_all", "literal-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt Law, \
+  rows("ours", "adaptive-2") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt Discs, \
+  rows("ours", "adaptive-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt Spheres, \
+  rows("ours", "literal-2") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt Discs dt 2 pt 6, \
+  rows("ours", "literal-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt Spheres dt 2 pt 4
 unset label
 set lmargin screen 0.69; set rmargin screen 0.985
 set yrange [1e-10:8]; set ytics 1e-9,1e3; set ylabel "deepest overlap left, diameters" offset 1.6,0
-set label ink(1, "literal, 2-D") at 1.5e3,2.6; set label ink(2, "3-D") at 4e3,1e-2
+set label ink(Discs, "literal, 2-D") at 1.5e3,2.6; set label ink(Spheres, "3-D") at 4e3,1e-2
 set label "adaptive, 2-D and 3-D" at 9e2,6e-9
-plot left("literal", 2) using "P":"overlap":"overlap_err" with errorbars lt 1 pt 6, "" using "P":"overlap" with linespoints lt 1 dt 2 pt 6, \
-  left("literal", 3) using "P":"overlap":"overlap_err" with errorbars lt 2 pt 4, "" using "P":"overlap" with linespoints lt 2 dt 2 pt 4, \
-  left("adaptive", 2) using "P":"overlap" with linespoints lt 1, left("adaptive", 3) using "P":"overlap" with linespoints lt 2
+plot left("literal", 2) using "P":"overlap":"overlap_err" with errorbars lt Discs pt 6, "" using "P":"overlap" with linespoints lt Discs dt 2 pt 6, \
+  left("literal", 3) using "P":"overlap":"overlap_err" with errorbars lt Spheres pt 4, "" using "P":"overlap" with linespoints lt Spheres dt 2 pt 4, \
+  left("adaptive", 2) using "P":"overlap" with linespoints lt Discs, left("adaptive", 3) using "P":"overlap" with linespoints lt Spheres
 unset multiplot

@@ -22,7 +22,7 @@ unset label
 set lmargin screen 0.64; set rmargin screen 0.985
 set format x "$10^{%T}$"; set xtics auto; set xtics 100,10; set xrange [80:3e5]; set yrange [0.4:500]; set ytics ("$1$" 1, "$10$" 10, "$100$" 100)
 set xlabel "$N$"; set ylabel "times as fast as one reach" offset 1.6,0
-set arrow from 80,1 to 3e5,1 nohead lt 8 back
+set arrow from 80,1 to 3e5,1 nohead lt Guide back
 set label ink(2, "$a_2/a_1=.1$") at 7.5e3,300 right; set label ink(4, "$.313$") at 1.2e4,21
 set label ink(1, "$.5$") at 1.5e5,5.2; set label ink(3, "$1$") at 1.5e5,3
 plot times("1") using "size":(fast(0)):(fast_err(0)) with yerrorlines lt 3, times("0.5") using "size":(fast(0)):(fast_err(0)) with yerrorlines lt 1, \
@@ -40,7 +40,7 @@ unset label
 set lmargin screen 0.64; set rmargin screen 0.985
 set xtics 1e-5,100; set xrange [2e-6:0.3]; set yrange [3e-15:0.5]; set ytics 1e-15,1e3
 set xlabel "seconds to prepare"; set ylabel "worst error of $g_{ij}$" offset 2.3,0
-set label ink(8, "trapezoids") at 2e-5,1.5e-6; set label ink(8, "ours") at 1.2e-4,1e-11 right
+set label ink(Guide, "trapezoids") at 2e-5,1.5e-6; set label ink(Guide, "ours") at 1.2e-4,1e-11 right
 plot curve("points-1") using "seconds":"error" with linespoints lt 3 dt 2, curve("points-0.5") using "seconds":"error" with linespoints lt 1 dt 2, \
   curve("points-0.1") using "seconds":"error" with linespoints lt 2 dt 2, \
   curve("1") using "seconds":"error" with linespoints lt 3, curve("0.5") using "seconds":"error" with linespoints lt 1, \

@@ -55,8 +55,8 @@ Grown = 1; Added = 10; Gravity = 9; Jammed = 11; Isothermal = 11
 Retry = 2; Metropolis = 3; Chain = 4; Collision = 5; Newton = 6; Dynamics = 12; Longest = 13
 # Theories and guides, black and grey: a law, Percus and Yevick's curve, Willis's, what guides the eye; what a source printed is black, too.
 Law = 7; Py = 14; Willis = 15; Guide = 8; Source = 7
-# Where there are no rules: the coarse and the fine, and a pair of both; discs and spheres, which may be hard or may overlap; who computed it.
-Coarse = 2; Mixed = 3; Fine = 1; Discs = 1; Spheres = 2; HardDiscs = 3; HardSpheres = 4; Ours = 1; Plain = 2
+# Where there are no rules: the coarse and the fine, and a pair of both; discs and spheres, with open symbols if they may overlap; who computed it.
+Coarse = 2; Mixed = 3; Fine = 1; Discs = 1; Spheres = 2; Ours = 1; Plain = 2
 # The record of seconds: some of its rows; f times their seconds for a piece of work, and these seconds' spread; one value.
 recorded(where) = columns("'where=".where."' data/bench-seconds.tsv")
 each(f) = f*column("seconds")/column("work")
