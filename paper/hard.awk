@@ -1,4 +1,4 @@
-# paper/hard.awk: build/hard.tsv as a table of the book. The first three columns are LaTeX; what was
+# paper/hard.awk: build/hard.tsv as a table of the book, and into the file `score` how many ended as promised. The first three columns are LaTeX; what was
 # measured is plain text.
 function plain(s,   i, c, t) {
   for (i = 1; i <= length(s); i++) {
@@ -28,5 +28,5 @@ BEGIN {
 }
 END {
   print "\\end{longtable}}"
-  print "\\def\\hardcases{" cases "}\\def\\hardpassed{" passed "}"
+  print "\\newcommand\\hardcases{" cases "}\\newcommand\\hardpassed{" passed "}" > score
 }

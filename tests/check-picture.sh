@@ -253,6 +253,17 @@ swept() {
     said "$tmp/swept/rdf@0.2@chain.svg" made shaken
 }
 tell 'a sweep: each table, all combinations together, and a grid' swept
+crowded() { # so many fractions at eleven radii; how many curves and quantities are in the table alone
+  ends 0 "$randpack" run "$tmp/shaken.scene" --set "sweep=({key=\"fraction\";values=[$1];},{key=\"shake.radius\";values=[0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1.0,1.1];})" \
+    --set 'shake.marks=[1]' --set shake.sweeps=1 --plot=svg --out "$tmp/crowded" || return 1
+  more=$(sed -n 's/.*[; >]\([0-9]*\) more in the table<.*/\1/p' "$tmp/crowded/sweep.svg")
+}
+counted() { # of ten curves eight are drawn
+  crowded 0.1,0.15,0.2,0.25,0.3,0.35,0.36,0.37 || return 1
+  local eight=${more:-0}
+  crowded 0.1,0.15,0.2,0.25,0.3,0.35,0.36,0.37,0.38,0.4 && [ "$more" = $((eight + 2)) ]
+}
+tell 'curves that have no colour left are counted' counted
 only_new() {
   rm "$tmp"/many/*.svg && cp "$tmp/many/rdf.tsv" "$tmp/many/old.tsv"
   ends 0 "$randpack" run "$tmp/many.scene" --set 'measure={K={reach=3.0;};}' --plot --out "$tmp/many" && [ "$(cd "$tmp/many" && echo *.png)" = 'K.png theory.png' ] &&

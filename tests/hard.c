@@ -676,7 +676,7 @@ static bool field_from_a_point(void) {
     Field *field = field_alloc(dim, n, x, NULL);
     FieldSweep sum = {0};
     int passes = 0;
-    bool rests = field_settle(field, 1e-9, 20000, &sum, &passes);
+    bool rests = field_settle(field, 1e-9, 20000, &sum, &passes, NULL) == DONE;
     field_places(field, x);
     double left = deepest(dim, n, x);
     printf("%s%dD: %d passes, overlap %s 1e-9, rim %.4g", dim > 2 ? "; " : "",

@@ -61,7 +61,7 @@ static int same_jobs(const Run *a, const Run *b, int *all) {
 
 static void test_record(const Run *run, Run *fresh) {
   Bytes record = {0};
-  int all, damaged = 0;
+  int all = 0, damaged = 0;
   parts_pack(run, 1, &record);
   gsl_test_int(parts_unpack(fresh, &record), 1, "a record is of its job");
   gsl_test(same_jobs(fresh, run, &all) != all || all != 8, "and brings its %d results back to the last bit", all);

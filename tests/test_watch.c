@@ -3,6 +3,7 @@
 #include "watch.h"
 #include "crm.h"
 #include "engine.h"
+#include "keeper.h"
 #include "many.h"
 #include "sampler.h"
 #include "same.h"
@@ -10,52 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-/* Stops at the tick of this number, and writes the state; 0: never. */
-typedef struct {
-  Watch watch;
-  const char *path;
-  int stop, ticks, begun, loaded, ended;
-  bool outside; /* were there ticks in another part's part? */
-  StatePass pass;
-  void *what;
-  uint64_t beginning;
-  WatchNews news;
-} Keeper;
-
-static bool begin(Watch *watch, StatePass pass, void *what) {
-  Keeper *keeper = watch->who;
-  keeper->begun++;
-  keeper->pass = pass;
-  keeper->what = what;
-  keeper->beginning = state_sum(pass, what);
-  bool loaded = state_load(keeper->path, "test", pass, what);
-  keeper->loaded += loaded;
-  return loaded;
-}
-
-static bool tick(Watch *watch, const WatchNews *news) {
-  Keeper *keeper = watch->who;
-  keeper->ticks++;
-  keeper->news = *news;
-  keeper->outside |= watch->depth != 1;
-  bool stop = keeper->ticks == keeper->stop;
-  if (stop)
-    gsl_test(!state_save(keeper->path, "test", keeper->beginning, keeper->pass, keeper->what), "saved");
-  return !stop;
-}
-
-static void end(Watch *watch, bool whole) {
-  ((Keeper *)watch->who)->ended += whole;
-}
-
-static Keeper *keeper_of(const char *path, int stop) {
-  Keeper *keeper = memory(1, sizeof *keeper);
-  keeper->watch = (Watch){begin, tick, end, keeper, 0, 0, 0};
-  keeper->path = path;
-  keeper->stop = stop;
-  return keeper;
-}
 
 /* What is run, and all that comes out. */
 typedef struct {
@@ -185,7 +140,7 @@ static void test_stops(const Case *c, const Result *undisturbed, const char *pat
   gsl_test(!same(&r, undisturbed), "%s, stopped %d times, every %d ticks: the same", c->name, stops, stop);
   gsl_test(stops == 0, "%s: it was stopped", c->name);
   pack_free(&r.pack);
-  remove(path);
+  keeper_forget(path);
 }
 
 static void test_case(const Case *c, const char *path) {
@@ -223,7 +178,7 @@ static void test_other(const char *path) {
   gsl_test_int(r.status, DONE, "and is done");
   pack_free(&r.pack);
   free(keeper);
-  remove(path);
+  keeper_forget(path);
 }
 
 static void pass_nothing(void *what, State *state) {

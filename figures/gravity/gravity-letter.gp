@@ -6,7 +6,7 @@ rows(s, d, p) = columns("'where=make.step=".d.sprintf(";make.passes=%d' ", p).da
 step(i) = word("0.02 0.05 0.1", i)
 set multiplot
 set logscale xy; set xrange [200:60000]; set xtics ("300" 300, "1000" 1000, "3000" 3000, "$10^4$" 10000, "$3{\\cdot}10^4$" 30000)
-set yrange [1e-11:4]; set format y "$10^{%T}$"; set ytics 100; set xlabel "$P$"
+set yrange [1e-11:4]; set format y "$10^{%T}$"; set ytics 100; set xlabel "$N$"
 unset key
 # a tenth of the way aside, so that bars do not cover each other
 P(i) = column("species.[0].number") * 1.06**(i - 2)

@@ -9,7 +9,7 @@ set lmargin screen 0.10; set rmargin screen 0.53
 unset key
 set xrange [0:1]; set yrange [0:0.78]; set xtics 0.2; set ytics 0.2
 set xlabel "$|\\mathbf x|/R_{\\rm out}$"; set label 9 "$\\phi$ of a shell" at screen 0.022,graph 0.5 center rotate
-set label 2 ink(5, "$P=300$") at 0.2,0.36; set label 3 ink(3, "$3000$") at 0.2,0.29
+set label 2 ink(5, "$N=300$") at 0.2,0.36; set label 3 ink(3, "$3000$") at 0.2,0.29
 set label 4 ink(2, "$30\\,000$") at 0.2,0.22; set label 5 ink(1, "$10^6$") at 0.2,0.15
 plot shells("gravity-size", "300") using "x":"phi":"phi_err" with yerrorlines lt 5 lw 1 pt 11 ps 0.45, \
   shells("gravity-size", "3000") using "x":"phi":"phi_err" with yerrorlines lt 3 lw 1 pt 9 ps 0.45, \
@@ -19,7 +19,7 @@ unset label
 set lmargin screen 0.69; set rmargin screen 0.985
 set logscale x; set xrange [150:2e6]; set xtics ("$10^3$" 1e3, "$10^4$" 1e4, "$10^5$" 1e5, "$10^6$" 1e6)
 set yrange [0.55:0.87]; set ytics 0.05
-set xlabel "$P$"
+set xlabel "$N$"
 set label 9 "$\\phi$ within $\\frac12R_{\\rm out}$" at screen 0.605,graph 0.5 center rotate
 set label 1 ink(1, "spheres") at 3e4,0.615; set label 2 ink(2, "discs") at 3e4,0.825
 set label 3 ink(7, "densest of spheres (\\B)") at 300,0.653

@@ -4,12 +4,12 @@ rows(m, l) = recorded(sprintf("task=gravity;method=%s;case=%s", m, l))
 left(m, d) = columns(sprintf("'where=mode=%s;dimension=%d' build/data/speed/gravity.tsv", m, d))
 # The power of P over the last decade, of the seconds in all.
 power(m, l) = sprintf("%.2f", known("seconds", sprintf("gravity_%s_%s_power", m, l)))
-says(n, what, m, l) = ink(n, sprintf("%s $P^{%s}$", what, power(m, l)))
+says(n, what, m, l) = ink(n, sprintf("%s $N^{%s}$", what, power(m, l)))
 set logscale xy
 set format x "$10^{%T}$"; set format y "$10^{%T}$"; set mxtics 1; set mytics 1
 unset key
 set multiplot
-set xlabel "number of particles, $P$"
+set xlabel "number of particles, $N$"
 set bmargin screen 0.17; set tmargin screen 0.97
 set lmargin screen 0.10; set rmargin screen 0.52
 set xrange [700:1.5e5]; set xtics 1e3,10; set yrange [3:900]

@@ -3,6 +3,9 @@
 #   disc   COLOUR x y r            a dot of a round pen: 30 bytes, and round at any resolution
 #   ring   COLOUR x y r w          its rim; w is in points, as of a line
 #   line   COLOUR x0 y0 x1 y1 w
+#   curve  COLOUR w x y x y ...    an open line through points
+#   arc    COLOUR x y r from to w  a part of a rim, between two angles, counterclockwise
+#   dash   ON OFF                  what comes next is drawn in dashes of so many points, until `dash` alone
 #   box    COLOUR x0 y0 x1 y1
 #   path   COLOUR RIM w x y x y ...   a polygon, filled, with its rim
 #   outline NAME x y x y ...       a polygon about the origin, which rows `shape` repeat: written once, however many there are
@@ -60,7 +63,22 @@ $1 == "words" { said = said sprintf("\\put(%s,%s){\\makebox(0,0)%s{%s}}%%\n", n(
 $1 == "disc" { pen($2, 2 * $5 * scale); p = at($3, $4); put(p " m " p " l S"); things++ }
 $1 == "ring" { pen($2, $6); put(circle($3, $4, $5) " S") }
 $1 == "line" { pen($2, $7); put(at($3, $4) " m " at($5, $6) " l S") }
-$1 == "box" { filled = ""; put(rgb($2) " rg " area($3, $4, $5, $6) " f") }
+$1 == "curve" {
+  pen($2, $3); p = at($4, $5) " m"
+  for (i = 6; i < NF; i += 2) p = p " " at($i, $(i + 1)) " l"
+  put("1 j " p " S")
+}
+$1 == "arc" {
+  pen($2, $8); pieces = int(($7 - $6) / 1.6) + 1; step = ($7 - $6) / pieces; t = $6
+  p = at($3 + $5 * cos(t), $4 + $5 * sin(t)) " m"; k = $5 * 4 / 3 * sin(step / 4) / cos(step / 4)
+  for (i = 0; i < pieces; i++) {
+    u = t + step; x = $3 + $5 * cos(u); y = $4 + $5 * sin(u)
+    p = p " " at($3 + $5 * cos(t) - k * sin(t), $4 + $5 * sin(t) + k * cos(t)) " " at(x + k * sin(u), y - k * cos(u)) " " at(x, y) " c"; t = u
+  }
+  put(p " S")
+}
+$1 == "dash" { put((NF > 1 ? "[" $2 " " $3 "]" : "[]") " 0 d") }
+$1 == "box" { if ($2 != filled) put(rgb(filled = $2) " rg"); put(area($3, $4, $5, $6) " f") }
 $1 == "path" {
   pen($3, $4); p = at($5, $6) " m"
   for (i = 7; i < NF; i += 2) p = p " " at($i, $(i + 1)) " l"
