@@ -26,14 +26,15 @@ CHAPTERS := $(shell sed -n 's/^%chapter //p' src.nw)
 WEB      := src.nw $(CHAPTERS:%=src/%.nw)
 MODULES  := $(patsubst %.nw,%,$(notdir $(shell grep -l '^<<\[\[[a-z_]*\.h\]\]>>=' $(CHAPTERS:%=src/%.nw))))
 ENTRIES  := $(shell sed -n 's/^<<\[\[\([a-z_]*_entry\)\.c\]\]>>=/\1/p' $(CHAPTERS:%=src/%.nw) | sort -u)
-SCENES   := $(basename $(notdir $(sort $(wildcard figures/*/*.scene))))
+# examples/NAME.scene is called NAME-example, so that it may have the name of a finding.
+SCENES   := $(basename $(notdir $(sort $(wildcard figures/*/*.scene)))) $(patsubst examples/%.scene,%-example,$(sort $(wildcard examples/*.scene)))
 DRAWINGS := $(filter-out figures/tools/%,$(sort $(wildcard figures/*/*.gp figures/*/*.sh)))
 FIGURES  := $(basename $(notdir $(DRAWINGS)))
 # What is derived from tables of scenes, by a script whose line `# from: SCENE/FILE ...` names these.
 DERIVED  := $(basename $(notdir $(shell grep -l '^. from: ' figures/*/*.awk)))
 vpath %.nw $(sort $(dir $(CHAPTERS:%=src/%)))
 $(foreach kind,scene gp sh awk,$(eval vpath %.$(kind) $(filter-out figures/tools/,$(wildcard figures/*/))))
-scene_of = $(wildcard figures/*/$(1).scene)
+scene_of = $(or $(wildcard figures/*/$(1).scene),$(patsubst %-example,examples/%.scene,$(1)))
 REFERENCES := $(sort $(wildcard tests/ref_*.c))
 UNITS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
 
@@ -159,10 +160,18 @@ try: $(B)/bin/randpack ## a first pack in seconds: its numbers, its g(R), a pict
 TIMED = TIMEFORMAT='  $(1) in %R s, %U s of the processor'; time
 # A scene runs again when its text or the fingerprint of the modules that it
 # uses has changed, not when the program has merely been linked again.
-$(B)/data/%.checked: %.scene $(B)/bin/randpack
+# A line `# packs: FILE ...` in it names packs that it measures, instead of making some.
+define note_key
 	@mkdir -p $(@D)
-	@{ $(B)/bin/randpack plan $< | grep '^fingerprint'; sed '/^ *#/d' $<; } | cpif $(B)/data/$*.key
+	@{ $(B)/bin/randpack plan $< | grep '^fingerprint'; sed '/^ *#/d' $<; sed -n 's/^# packs: *//p' $< | xargs -r cat; } | cpif $(@:checked=key)
 	@touch $@
+endef
+packs_of = $(shell sed -n 's/^. packs: *//p' $(call scene_of,$(1)))
+do_scene = $(if $(call packs_of,$(1)),measure $(call packs_of,$(1)) --scene,run) $(call scene_of,$(1))
+$(B)/data/%.checked: %.scene $(B)/bin/randpack
+	$(note_key)
+$(B)/data/%-example.checked: examples/%.scene $(wildcard examples/*.txt) $(B)/bin/randpack
+	$(note_key)
 $(B)/data/%.key: $(B)/data/%.checked ;
 # Scenes with a line `# atlas` are too long for the book, which takes their tables from their record under data/atlas
 # when the program of today makes their first realization as it was recorded.
@@ -178,7 +187,7 @@ data/atlas/%/record:
 $(B)/data/%/summary.tsv: $(B)/data/%.key
 	@echo '  compute $*'
 	@rm -rf $(@D)
-	@$(call TIMED,computed $*) $(B)/bin/randpack run $(call scene_of,$*) --out $(@D) \
+	@$(call TIMED,computed $*) $(B)/bin/randpack $(call do_scene,$*) --out $(@D) \
 	  $(if $(DRAFT),$$(paper/few $(call scene_of,$*) $(DRAFT)))
 	@touch $@
 # What is derived: the tables of other scenes, read again. A script runs in build/data, and may write tables beside its summary.
@@ -287,8 +296,23 @@ $(B)/paper/woven.tex: $(WEB)
 # And what a reader looks things up in: subjects, what a chapter uses, what it is tested by.
 $(B)/paper/web.tex: $(B)/paper/woven.tex paper/apparatus paper/subjects.tsv tests/mutants.tsv
 	@paper/apparatus $< paper/subjects.tsv tests/mutants.tsv tests > $@
+# The user's guide: all keys, rows and tables, as the program tells them; and what its commands print, in a tree of their own.
+$(B)/paper/keys.tex: paper/keys.awk paper/tex.awk $(B)/bin/randpack
+	@mkdir -p $(@D)
+	@$(B)/bin/randpack help | awk -f paper/tex.awk -f $< | cpif $@
+$(B)/paper/files.tex: paper/files.awk paper/tex.awk $(B)/bin/randpack
+	@mkdir -p $(@D)
+	@$(B)/bin/randpack help | sed -n 's/^  \([a-z]*\.[A-Za-z0-9_-]*\): .*/\1/p' | while read -r entry; do $(B)/bin/randpack help $$entry; done | \
+	  awk -f paper/tex.awk -f $< | cpif $@
+$(B)/paper/guide.stamp: src/guide/guide.nw paper/sessions $(wildcard examples/*.scene examples/*.txt) $(B)/bin/randpack
+	@mkdir -p $(@D)
+	@echo '  run the commands of the guide'
+	@paper/sessions $< $(B)/guide | cpif $(B)/paper/guide.tex
+	@touch $@
+$(B)/paper/guide.tex: $(B)/paper/guide.stamp ;
 TEX := paper/book.tex paper/front.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
-  $(B)/paper/values.tex $(B)/paper/recorded.tex $(B)/paper/findings.tex $(B)/paper/controls.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
+  $(B)/paper/values.tex $(B)/paper/recorded.tex $(B)/paper/keys.tex $(B)/paper/files.tex $(B)/paper/guide.tex \
+  $(B)/paper/findings.tex $(B)/paper/controls.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
 # The same lines on the same pages, of one size of paper or the other.
 PAPER := a4
 $(if $(filter-out a4 letter,$(PAPER)),$(error PAPER is a4 or letter))
@@ -304,7 +328,7 @@ white: $(B)/paper.pdf ## how much of the pages is white at their feet; needs pdf
 # A draft is the same book from a few packs a scene, built in a folder of its own where only the program is that of build/.
 draft: $(B)/bin/randpack $(B)/hard ## build/draft.pdf: the whole book in minutes, from a few packs a scene
 	@mkdir -p $(B)/draft/$(B)
-	@ln -sfn $(addprefix ../../,Makefile README.md src.nw src paper figures data tests) $(B)/draft
+	@ln -sfn $(addprefix ../../,Makefile README.md src.nw src paper figures data tests examples) $(B)/draft
 	@ln -sfn $(addprefix ../../../$(B)/,bin c plain print obj hard) $(B)/draft/$(B)
 	@$(MAKE) --no-print-directory -C $(B)/draft DRAFT=2 $(B)/paper.pdf
 	@cp $(B)/draft/$(B)/paper.pdf $(B)/draft.pdf
@@ -398,7 +422,7 @@ install: $(B)/bin/randpack library $(B)/share/randpack.1 $(B)/share/completion #
 	chmod 644 "$(lib)/pkgconfig/randpack.pc"
 	install -d "$(DOCS)/examples"
 	install -m 644 README.md CHANGES CITATION.cff LICENSE "$(DOCS)"
-	install -m 644 examples/*.c examples/*.scene "$(DOCS)/examples"
+	install -m 644 examples/*.c examples/*.scene examples/*.txt "$(DOCS)/examples"
 	@if [ -e $(B)/paper.pdf ]; then echo 'install -m 644 $(B)/paper.pdf "$(DOCS)"'; install -m 644 $(B)/paper.pdf "$(DOCS)"; \
 	else echo 'without the book: $(B)/paper.pdf is not there; make paper makes it'; fi
 uninstall: ## remove what install has put there

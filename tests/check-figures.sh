@@ -100,6 +100,11 @@ tell 'what shows through a gap is kept, what is covered is not' is '50 100 ' gap
 slit() { printf '%s\n' "100 -$1 -$2 1" "100 $1 $2 1" '50 0 0 0.05' "40 $1 $2 0.5" | tr ' ' '\t' | awk -F'\t' -f figures/tools/seen.awk | cut -f1 | tr '\n' ' '; }
 tell 'and what shows through a slit of a fiftieth' is '100 100 50 ' slit 1.01 0
 tell 'and through one that lies' is '100 100 50 ' slit 0 1.01
+# clip X: a shape there, in a clip from 0 to 1
+clip() { printf '%s\n' 'window 0 0 4 1' 'outline S -1 -1 1 -1 0 1' 'clip 0 0 1 1' "shape S 102030 405060 0.4 $1 0.5 0.2 1 0" clip 'disc 102030 3 0.5 0.3' | tr ' ' '\t' | awk -v width=5 -f figures/tools/paint.awk; }
+shown() { clip 0.5 | grep -c ' Do '; }
+tell 'a shape in a clip is drawn' is 1 shown
+tell 'one that the clip hides is no drawing' says 'lies outside it' clip 2.5
 pack
 tell 'a pack without particles is no drawing' says 'nothing is drawn' figures/tools/balls "$tmp/pack.xyz" 5 '1 102030 a0b0c0'
 sed -i 's/radius:R:1/diameter:R:1/' "$tmp/pack.xyz"; echo 'a 1 1 1 1' >> "$tmp/pack.xyz"

@@ -6,8 +6,9 @@ unset MAKEFLAGS MAKELEVEL MFLAGS MAKEOVERRIDES
 cc=${CC:-gcc} dest=$tmp/dest prefix=/opt/randpack root=$tmp/dest/opt/randpack
 placed='bin/randpack include/randpack.h lib/librandpack.a lib/librandpack.so lib/librandpack.so.0 lib/librandpack.so.VERSION
   lib/pkgconfig/randpack.pc share/bash-completion/completions/randpack share/doc/randpack/CHANGES share/doc/randpack/CITATION.cff
-  share/doc/randpack/LICENSE share/doc/randpack/README.md share/doc/randpack/examples/curve.c
-  share/doc/randpack/examples/first.scene share/doc/randpack/examples/make.c share/doc/randpack/examples/measure.c
+  share/doc/randpack/LICENSE share/doc/randpack/README.md share/doc/randpack/examples/beads.scene share/doc/randpack/examples/centres.txt
+  share/doc/randpack/examples/concrete.scene share/doc/randpack/examples/curve.c share/doc/randpack/examples/propellant.scene
+  share/doc/randpack/examples/tomography.scene share/doc/randpack/examples/first.scene share/doc/randpack/examples/make.c share/doc/randpack/examples/measure.c
   share/man/man1/randpack.1'
 version=$("$randpack" --version) version=${version#randpack }
 

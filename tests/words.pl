@@ -27,7 +27,7 @@ sub of_tex {
     $text =~ s/(\[\[.*?\]\]+|<<[^\n]*?>>)/blank($1)/gse;
   }
   $text =~ s/(?<!\\)(%[^\n]*)/blank($1)/ge;
-  $text =~ s/(\\begin\{(equation|align|gather|multline|verbatim)(\*?)\}.*?\\end\{\2\3\})/blank($1)/gse;
+  $text =~ s/(\\begin\{(equation|align|gather|multline|verbatim|terminal)(\*?)\}.*?\\end\{\2\3\})/blank($1)/gse;
   $text =~ s/((?<!\\)\\\[.*?\\\]|\$\$.*?\$\$)/blank($1)/gse;
   $text =~ s/((?<!\\)\$(?:[^\$\\]|\\.)*\$)/blank($1)/gse;
   $text =~ s/(``.*?'')/blank($1)/gse;

@@ -3,4 +3,4 @@
 # data: rsa-histogram build/bin/randpack
 set -eu -o pipefail
 build/bin/randpack plot build/data/rsa-histogram/histogram.tsv -o build/figures/view-plot.pdf
-echo '\includegraphics[width=11.5cm]{build/figures/view-plot.pdf}'
+echo '\includegraphics[width=12.6cm]{build/figures/view-plot.pdf}'

@@ -15,7 +15,7 @@ set label 1 "a" at graph 0.06,0.93
 plot way("exact", "hard") using "error":"seconds" with linespoints lt 1, \
   way("raster", "hard") using "error":"seconds" with linespoints lt 3, \
   way("segments", "hard") using "error":"seconds" with linespoints lt 2, \
-  segments(x, 5.972e-7) with lines lt 7, segments(x, 4.62e-8) with lines lt 8
+  segments(x, 5.972e-7) with lines lt Source, segments(x, 4.62e-8) with lines lt Source dt 2
 unset ylabel; unset label; set format y ""
 set key at graph 0.99,0.99 right top vertical
 set lmargin at screen 0.56; set rmargin at screen 0.96

@@ -14,9 +14,9 @@ do for [panel = 0:1] {
   if (panel) { set yrange [-1:2]; set ytics 1; set mytics 2 } else { set yrange [-5:2]; set ytics 1; set mytics 2 }
   set label 1 "bias of $K(3)$, per cent" at screen side(panel),graph 0.5 center rotate
   set label 2 (panel ? "beads, $\\phi=.5925$" : "independent points") at graph 0.97,0.94 right
-  if (panel) { set label 3 ink(7, "$1/N$") at 430,0.42 } else { do for [i = 1:3] { set label 3 + i ink(int(word(inks, i)), word("minus Ripley's translation", i)) at graph 0.97,(0.45 - 0.13*i) right } }
-  plot 0 with lines lt 8 lw 0.6, for [i = 1:3] rows(packs, word(ways, i)) using (column("N")*real(word(aside, i))):(100*column("K")):(100*column("K_err")) with yerrorbars lt int(word(inks, i)) lw 1 pt int(word(forms, i)) ps 0.5, \
-    rows(packs, "ripley") using "N":(panel ? 100*column("one") : 0) with lines lt 7 dt 3 lw 1
+  if (panel) { set label 3 ink(Law, "$1/N$") at 430,0.42 } else { do for [i = 1:3] { set label 3 + i ink(int(word(inks, i)), word("minus Ripley's translation", i)) at graph 0.97,(0.45 - 0.13*i) right } }
+  plot 0 with lines lt Guide lw 0.6, for [i = 1:3] rows(packs, word(ways, i)) using (column("N")*real(word(aside, i))):(100*column("K")):(100*column("K_err")) with yerrorbars lt int(word(inks, i)) lw 1 pt int(word(forms, i)) ps 0.5, \
+    rows(packs, "ripley") using "N":(panel ? 100*column("one") : 0) with lines lt Law dt 3 lw 1
   do for [i = 2:6] { unset label i }
   set tmargin screen 0.67; set bmargin screen 0.385; set logscale y; unset mytics
   set yrange [0.2:20]; set ytics (0.3, 1, 3, 10)
@@ -25,9 +25,9 @@ do for [panel = 0:1] {
   set tmargin screen 0.355; set bmargin screen 0.095; set format x "%g"; set xlabel "particles in the window, $N$" offset 0,0.6
   set yrange [1:60]; set ytics (1, 3, 10, 30)
   set label 1 "scatter of $g$, per cent" at screen side(panel),graph 0.5 center rotate
-  set label 3 "lines: $2.8\\le R<3$" at graph 0.05,0.16
+  set label 3 "lines: $2.8\\le R<3$" at graph 0.05,0.22
   if (panel) {
-    set label 4 "dotted: contact value" at graph 0.05,0.06
+    set label 4 "dotted: contact value" at graph 0.05,0.10
     plot for [i = 1:3] rows(packs, word(ways, i)) using "N":(100*column("g_sd")):(100*column("g_sd_err")) with yerrorlines lt int(word(inks, i)) lw 1 pt int(word(forms, i)) ps 0.5, \
       for [i = 1:3] rows(packs, word(ways, i)) using "N":(100*column("contact_sd")) with lines lt int(word(inks, i)) dt 3 lw 1.4
   } else {

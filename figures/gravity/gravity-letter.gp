@@ -14,9 +14,9 @@ over_floor(y) = y > 1.2e-11 ? y : 1.2e-11
 set tmargin screen 0.96; set bmargin screen 0.18
 do for [d = 0:1] {
   s = d ? "gravity-literal-discs" : "gravity-literal"
-  set lmargin screen (d ? 0.585 : 0.11); set rmargin screen (d ? 0.985 : 0.51)
+  set lmargin screen (d ? 0.595 : 0.125); set rmargin screen (d ? 0.985 : 0.51)
   unset label
-  if (d) { set format y "" } else { set label 9 "deepest overlap, diameters" at screen 0.022,graph 0.5 center rotate }
+  if (d) { set format y "" } else { set label 9 "deepest overlap, diameters" at screen 0.012,graph 0.5 center rotate }
   set label 1 (d ? "discs" : "spheres") at graph 0.04,0.62
   if (!d) {
     set label 2 ink(1, "$\\Delta r=.02\\,r_0$") at graph 0.04,0.54; set label 3 ink(2, "$.05\\,r_0$") at graph 0.04,0.47; set label 4 ink(3, "$.1\\,r_0$") at graph 0.04,0.40

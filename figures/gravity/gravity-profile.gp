@@ -20,11 +20,11 @@ set lmargin screen 0.69; set rmargin screen 0.985
 set logscale x; set xrange [150:2e6]; set xtics ("$10^3$" 1e3, "$10^4$" 1e4, "$10^5$" 1e5, "$10^6$" 1e6)
 set yrange [0.55:0.87]; set ytics 0.05
 set xlabel "$N$"
-set label 9 "$\\phi$ within $\\frac12R_{\\rm out}$" at screen 0.605,graph 0.5 center rotate
-set label 1 ink(1, "spheres") at 3e4,0.615; set label 2 ink(2, "discs") at 3e4,0.825
-set label 3 ink(7, "densest of spheres (\\B)") at 300,0.653
-plot 0.6366 with lines lt 7 dt 2 lw 0.8, \
-  data("gravity-size", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt 1 lw 0.8 pt 7 ps 0.6, \
-  data("gravity-million", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt 1 lw 0.8 pt 6 ps 0.6, \
-  data("gravity-discs", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt 2 lw 0.8 pt 5 ps 0.55
+set label 9 "$\\phi$ within $\\frac12R_{\\rm out}$" at screen 0.592,graph 0.5 center rotate
+set label 1 ink(Spheres, "spheres") at 3e4,0.615; set label 2 ink(Discs, "discs") at 3e4,0.825
+set label 3 ink(Source, "densest of spheres (\\B)") at 300,0.653
+plot 0.6366 with lines lt Source dt 2 lw 0.8, \
+  data("gravity-size", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt Spheres lw 0.8 ps 0.55, \
+  data("gravity-million", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt Spheres lw 0.8 pt 4 ps 0.55, \
+  data("gravity-discs", "sweep.tsv") using "species.[0].number":"phi_0.5":"phi_0.5_err" with yerrorlines lt Discs lw 0.8 ps 0.6
 unset multiplot

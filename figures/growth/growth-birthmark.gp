@@ -14,6 +14,9 @@ do for [j = 1:2] {
   py[j] = STATS_sum_y/STATS_sum_x
 }
 cs(phi) = equation("carnahan-starling", phi, "g(2+)")
+# isothermal growth, literal, and at rest afterwards, which is dynamics
+way(i) = i == 1 ? Isothermal : i == 2 ? Grown : Dynamics
+full(i) = int(word("11 7 5", i))
 bin = "contact_first_bin"; err = "contact_first_bin_err"
 work(particles) = 2*column("collisions")/particles
 set logscale xy
@@ -32,22 +35,22 @@ do for [j = 1:3] {
     } else { set format x ""; unset xlabel }
     x0 = k == 1 ? 6e-4 : 40; x1 = k == 1 ? 16 : 3e4
     if (k == 1) { set label sprintf("$\\phi=%s$", word(".575 .60 .63", j)) at graph 0.06,0.92 }
-    if (j < 3) { set arrow from x0,py[j] to x1,py[j] nohead lt 8 dt 3 }
-    set arrow from x0,cs(phi) to x1,cs(phi) nohead lt 8
+    if (j < 3) { set arrow from x0,py[j] to x1,py[j] nohead lt Guide dt 3 }
+    set arrow from x0,cs(phi) to x1,cs(phi) nohead lt Guide
     if (k == 2 && j == 1) {
-      set label ink(1, "isothermal") at graph 0.95,0.92 right; set label ink(2, "literal") at graph 0.95,0.83 right
-      set label ink(3, "$a_0=1$, then at rest") at graph 0.95,0.74 right
-      set label ink(8, "lines: $g(2^+)$, extrapolated") at graph 0.95,0.65 right
+      set label ink(Isothermal, "$\\scriptstyle\\blacktriangledown$ isothermal") at graph 0.95,0.92 right; set label ink(Grown, "$\\bullet$ literal") at graph 0.95,0.83 right
+      set label ink(Dynamics, "$\\scriptstyle\\blacksquare$ $a_0=1$, then at rest") at graph 0.95,0.74 right
+      set label ink(Guide, "lines: $g(2^+)$, extrapolated") at graph 0.95,0.65 right
     }
-    if (k == 2) { set label ink(8, "Carnahan--Starling") at graph 0.03,first cs(phi)/1.14 }
-    if (k == 2 && j < 3) { set label ink(8, "Percus--Yevick") at graph 0.03,first py[j]/1.14 }
+    if (k == 2) { set label ink(Guide, "Carnahan--Starling") at graph 0.04,first cs(phi)/1.15 }
+    if (k == 2 && j < 3) { set label ink(Guide, "Percus--Yevick") at graph 0.04,first py[j]/1.15 }
     if (k == 1) {
-      plot for [i = 1:2] rows(word("isothermal literal", i), phi) using "make.growth":bin:err with yerrorbars lt i pt 0, \
-        for [i = 1:2] rows(word("isothermal literal", i), phi) using "make.growth":bin:(mark(9 - 2*i, 8 - 2*i)) with points lt i pt variable ps 0.5, \
-        for [i = 1:2] fluid(word("isothermal literal", i), phi) using "make.growth":"contact" with lines lt i lw 0.7
+      plot for [i = 1:2] rows(word("isothermal literal", i), phi) using "make.growth":bin:err with yerrorbars lt way(i) pt 0, \
+        for [i = 1:2] rows(word("isothermal literal", i), phi) using "make.growth":bin:(mark(full(i), full(i) - 1)) with points lt way(i) pt variable ps 0.5, \
+        for [i = 1:2] fluid(word("isothermal literal", i), phi) using "make.growth":"contact" with lines lt way(i) lw 0.7
     } else {
-      plot for [i = 1:3] rows(word("isothermal literal rest", i), phi) using (work(1000.)):bin:err with yerrorbars lt i pt 0, \
-        for [i = 1:3] rows(word("isothermal literal rest", i), phi) using (work(1000.)):bin:(i == 3 ? mark(9, 8) : mark(9 - 2*i, 8 - 2*i)) with points lt i pt variable ps (i == 3 ? 0.6 : 0.5)
+      plot for [i = 1:3] rows(word("isothermal literal rest", i), phi) using (work(1000.)):bin:err with yerrorbars lt way(i) pt 0, \
+        for [i = 1:3] rows(word("isothermal literal rest", i), phi) using (work(1000.)):bin:(mark(full(i), full(i) - 1)) with points lt way(i) pt variable ps 0.5
     }
   }
 }

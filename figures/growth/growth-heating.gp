@@ -11,12 +11,12 @@ set label ink(1, "$a_0=100$") at 0.03,2e6; set label ink(2, "10") at 0.1,4e3; se
 set label ink(4, "$.1$") at 0.34,25 right; set label ink(5, "$.01$") at 0.44,5
 # by the work of the fluid's pressure alone (Carnahan and Starling's)
 still(x) = exp(2./3*x*(4 - 3*x)/(1 - x)**2)
-plot for [i = 1:5] rows(10.**(3 - i)) using "fraction":"heating":"heating_err" with yerrorlines lt i, still(x) with lines lt 8
+plot for [i = 1:5] rows(10.**(3 - i)) using "fraction":"heating":"heating_err" with yerrorlines lt i, still(x) with lines lt Guide
 unset label
 set ylabel "$\\Gamma$" offset 2.2,0
 set yrange [3e-4:6]; set ytics 1e-3,10
 set label ink(1, "$a_0=100$,") at 0.15,2.4; set label ink(2, "10,") at 0.37,2.4; set label ink(3, "1") at 0.455,2.4
  set label ink(4, "$.1$") at 0.07,0.18; set label ink(5, "$.01$") at 0.07,0.02
 plot for [i = 1:5] rows(10.**(3 - i)) using "fraction":"gamma":"gamma_err" with yerrorlines lt i, \
-  for [a in "0.1 0.01"] 2*a*sqrt(3)/sqrt(still(x)) with lines lt 8
+  for [a in "0.1 0.01"] 2*a*sqrt(3)/sqrt(still(x)) with lines lt Guide
 unset multiplot

@@ -20,7 +20,7 @@ set xlabel "$\\phi$"; set ylabel "$Z/Z_{\\rm Schultz}-1$, per mille" offset 0.8,
 unset key
 set label 1 ink(2, "Carnahan--Starling") at 0.02,-3.05
 set label 2 ink(4, "Hansen-Goos, KLM") at 0.02,1.35
-plot 0 with lines lt 8, ratio("carnahan-starling", "schultz", 0.491) using "phi":(permille(over("Z"))) with lines lt 2, \
+plot 0 with lines lt Guide, ratio("carnahan-starling", "schultz", 0.491) using "phi":(permille(over("Z"))) with lines lt 2, \
   ratio("hansen-goos", "schultz", 0.491) using "phi":(permille(over("Z"))) with lines lt 4, \
   ratio("klm", "schultz", 0.491) using "phi":(permille(over("Z"))) with lines lt 4 dt 2, \
   data("growth-pressure", "sweep.tsv") using "fraction":(permille((column("Z") - finite(column("fraction"))/1000)/Z("schultz"))):(1000*column("Z_err")/Z("schultz")) with yerrorbars lt 1 ps 0.5
@@ -29,9 +29,9 @@ set xrange [0.485:0.57]; set xtics 0.02; set yrange [-1:10]
 set ylabel "$Z/Z_{\\rm CS}-1$, per cent" offset 1,0
 unset label
 set label 1 ink(1, "50") at 0.555,7.8 right; set label 2 ink(3, "800") at 0.557,2.9 right
-set label 3 ink(8, "collisions a particle:") at 0.488,9.3
-set label 4 ink(7, "Schultz") at 0.538,-0.45 right
-plot 0 with lines lt 8, ratio("schultz", "carnahan-starling", 0.5505) using "phi":(percent(over("Z"))) with lines lt 7, \
+set label 3 ink(Guide, "collisions a particle:") at 0.488,9.3
+set label 4 ink(Law, "Schultz") at 0.538,-0.45 right
+plot 0 with lines lt Guide, ratio("schultz", "carnahan-starling", 0.5505) using "phi":(percent(over("Z"))) with lines lt Law, \
   for [i = 1:2] long(word("50 800", i)) using "fraction":(percent(column("Z")/Z("carnahan-starling"))):(100*column("Z_err")/Z("carnahan-starling")) with yerrorbars lt 2*i - 1 pt 0, \
-  for [i = 1:2] long(word("50 800", i)) using "fraction":(percent(column("Z")/Z("carnahan-starling"))):(column("solid_fraction_after") > 0.02 ? 8 - 2*i + 2*(i == 2) : 9 - 2*i + 4*(i == 2)) with points lt 2*i - 1 pt variable ps 0.6
+  for [i = 1:2] long(word("50 800", i)) using "fraction":(percent(column("Z")/Z("carnahan-starling"))):(2*i + (column("solid_fraction_after") > 0.02 ? 4 : 5)) with points lt 2*i - 1 pt variable ps 0.6
 unset multiplot

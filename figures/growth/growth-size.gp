@@ -16,7 +16,7 @@ set xlabel "$1/N$"; set ylabel "$Z_N/Z_{\\rm Schultz}-1$, per mille" offset 1,0
 set label 1 ink(1, "$\\phi=.1$") at 0.041,-18; set label 2 ink(2, "$.3$") at 0.058,-2; set label 3 ink(3, "$.45$") at 0.034,-21
 z1 = Z(0.1); z2 = Z(0.3); z3 = Z(0.45)
 s1 = slope(0.1); s2 = slope(0.3); s3 = slope(0.45)
-plot 0 with lines lt 8, 1000*s1/z1*x with lines lt 1 lw 0.8, 1000*s2/z2*x with lines lt 2 lw 0.8, 1000*s3/z3*x with lines lt 3 lw 0.8, \
+plot 0 with lines lt Guide, 1000*s1/z1*x with lines lt 1 lw 0.8, 1000*s2/z2*x with lines lt 2 lw 0.8, 1000*s3/z3*x with lines lt 3 lw 0.8, \
   rows(0.1) using (1/column("number")):(1000*(column("Z")/z1 - 1)):(1000*column("Z_err")/z1) with yerrorbars lt 1 ps 0.5, \
   rows(0.3) using (1/column("number")):(1000*(column("Z")/z2 - 1)):(1000*column("Z_err")/z2) with yerrorbars lt 2 ps 0.5, \
   rows(0.45) using (1/column("number")):(1000*(column("Z")/z3 - 1)):(1000*column("Z_err")/z3) with yerrorbars lt 3 ps 0.6
@@ -24,7 +24,7 @@ set lmargin screen 0.675; set rmargin screen 0.985
 set xrange [0:0.74]; set xtics 0.2; set yrange [-13:5]; set ytics 5
 set xlabel "$\\phi$ (discs)"; set ylabel "$Z/Z_{\\rm Henderson}-1$, per cent" offset 1.6,0
 unset label
-set arrow 1 from 0.7,-13 to 0.7,5 nohead lt 8
-set label 1 ink(8, "freezing") at 0.69,-11.5 right
-plot 0 with lines lt 8, discs using "fraction":(100*(column("Z")/henderson(column("fraction")) - 1)):(100*column("Z_err")/henderson(column("fraction"))) with yerrorlines lt 1 ps 0.5
+set arrow 1 from 0.7,-13 to 0.7,5 nohead lt Guide
+set label 1 ink(Guide, "freezing") at 0.69,-11.5 right
+plot 0 with lines lt Guide, discs using "fraction":(100*(column("Z")/henderson(column("fraction")) - 1)):(100*column("Z_err")/henderson(column("fraction"))) with yerrorlines lt 1 ps 0.5
 unset multiplot

@@ -31,11 +31,11 @@ do for [j = 1:2] {
   if (j == 1) { set label 9 "$g(R)$ after retry" at screen 0.022,graph 0.5 center rotate; set format y "%g" } else { set format y "" }
   set label 1 sprintf("$c_1=.575$, $c_2=%s$", word(".55 .60", j)) at graph 0.98,0.94 right
   set label 2 "$g_c(c_2)/g_c(c_1)$:" at graph 0.98,0.85 right
-  set label 3 ink(2, "Willis $".says(fw)."$") at graph 0.98,0.77 right
-  set label 4 ink(3, "Percus--Yevick $".says(fp)."$") at graph 0.98,0.69 right
-  set label 5 "measured ".found("retry", c) at graph 0.98,0.61 right
-  plot pair("retry", c) using "R":(scaled(fw)) with lines lt 2, pair("retry", c) using "R":(scaled(fp)) with lines lt 3 dt 2, \
-    pair("retry", c) using "R":"g" with points lt 7 pt 7 ps 0.22
+  set label 3 ink(Willis, "Willis $".says(fw)."$") at graph 0.98,0.77 right
+  set label 4 ink(Py, "Percus--Yevick $".says(fp)."$") at graph 0.98,0.69 right
+  set label 5 ink(Retry, "measured ".found("retry", c)) at graph 0.98,0.61 right
+  plot pair("retry", c) using "R":(scaled(fw)) with lines lt Willis, pair("retry", c) using "R":(scaled(fp)) with lines lt Py, \
+    pair("retry", c) using "R":"g" with points lt Retry ps 0.22
   unset label; unset logscale y
   set yrange [-48:48]; set ytics 20
   do for [i = 1:2] {
@@ -44,10 +44,10 @@ do for [j = 1:2] {
     if (i == 2) { set format x "%g"; set xlabel "$R=r/a$" offset 0,0.5 }
     if (j == 1) { set format y "$%g$" } else { set format y "" }
     if (i == 1 && j == 1) { set label 9 "measured $-$ (17), in standard errors" at screen 0.022,first -50 center rotate }
-    set label 1 rule at graph 0.98,0.87 right
-    if (i == 2) { set label 2 "measured ".found(rule, c) at graph 0.98,0.11 right }
-    plot 0 with lines lt 8, pair(rule, c) using "R":(miss(fw)) with lines lt 2, \
-      pair(rule, c) using "R":(miss(fp)) with lines lt 3 dt 2
+    set label 1 ink(i == 1 ? Retry : Metropolis, i == 1 ? "retry" : "Metropolis") at graph 0.98,0.87 right
+    if (i == 2) { set label 2 ink(Metropolis, "measured ".found(rule, c)) at graph 0.98,0.11 right }
+    plot 0 with lines lt Guide lw 0.5 dt 1, pair(rule, c) using "R":(miss(fw)) with lines lt Willis, \
+      pair(rule, c) using "R":(miss(fp)) with lines lt Py
     unset label
   }
 }

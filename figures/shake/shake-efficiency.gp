@@ -10,7 +10,8 @@ error(q, root) = column(q."_err")/column(q)*sqrt(column("shake_trials"))*root
 # and the error of that error, as a part of it
 doubt = 1/sqrt(2*(key("efficiency", "realizations") - 1))
 rows(s, where) = columns(sprintf("where=%s %s", where, data(s, "sweep.tsv")))
-rules = "chain newton dynamics"; colours = "4 6 7"; full = "9 13 5"; open = "8 12 4"
+rules = "chain newton dynamics"; full = "13 7 5"; open = "12 6 4"
+of_rule(i) = i == 1 ? Chain : i == 2 ? Newton : Dynamics
 array each_rule[3]
 do for [i = 1:3] { each_rule[i] = root("efficiency", word(rules, i)) }
 each_window = root("efficiency-step", "wide-window")
@@ -30,23 +31,23 @@ set multiplot
 set tmargin screen 0.97; set bmargin screen 0.17; set lmargin screen 0.125; set rmargin screen 0.6
 set xrange [0.17:0.605]; set xtics (".30" 0.3, ".45" 0.45, ".49" 0.49, ".575" 0.575)
 set xlabel "$\\phi$"; set label 9 "relative error after one second" at screen 0.02,graph 0.5 center rotate
-set label 1 ink(3, "best $R_{\\rm sh}$") at 0.18,0.0075; set label 6 ink(3, "metropolis") at 0.284,0.00093 right
-set label 2 ink(4, "chain") at 0.29,0.00055 right; set label 3 ink(6, "newton") at 0.29,0.00029 right
-set label 4 ink(7, "dynamics") at 0.284,0.0020 right; set label 5 ink(8, "open: from the virial") at 0.595,2.4e-4 right
+set label 1 ink(Metropolis, "best $R_{\\rm sh}$") at 0.18,0.0075; set label 6 ink(Metropolis, "Metropolis $\\scriptstyle\\blacktriangle$") at 0.19,0.0042
+set label 2 ink(Chain, "chain $\\scriptstyle\\blacklozenge$") at 0.18,0.00053; set label 3 ink(Newton, "Newton $\\bullet$") at 0.18,0.00029
+set label 4 ink(Dynamics, "dynamics $\\scriptstyle\\blacksquare$") at 0.335,0.0030; set label 5 "open: from the virial" at 0.595,2.4e-4 right
 at(i) = real(word(phis, i)) - 0.006
-do for [i = 1:4] { set label 10 + i ink(3, sprintf("$%s$", sprintf("%g", window[i])[2:])) at real(word(phis, i)) + (i == 2 ? -0.008 : i == 3 ? 0.008 : 0),0.0075 center }
-plot "+" using (at(int($0) + 1)):(best[int($0) + 1]):(doubt*best[int($0) + 1]) every ::0::3 with yerrorlines lt 3 lw 0.8 pt 7 ps 0.5, \
+do for [i = 1:4] { set label 10 + i ink(Metropolis, sprintf("$%s$", sprintf("%g", window[i])[2:])) at real(word(phis, i)) + (i == 2 ? -0.008 : i == 3 ? 0.008 : 0),0.0075 center }
+plot "+" using (at(int($0) + 1)):(best[int($0) + 1]):(doubt*best[int($0) + 1]) every ::0::3 with yerrorlines lt Metropolis lw 0.8 ps 0.55, \
   for [i = 1:3] rows("efficiency", "shake.rule=".word(rules, i)) using (column("fraction") + 0.003*(i - 2)):(error(q, each_rule[i])):(doubt*error(q, each_rule[i])) \
-    with yerrorlines lt int(word(colours, i)) lw 0.8 pt int(word(full, i)) ps 0.55, \
+    with yerrorlines lt of_rule(i) lw 0.8 pt int(word(full, i)) ps 0.55, \
   for [i = 1:3] rows("efficiency", "shake.rule=".word(rules, i)) using (column("fraction") + 0.003*(i - 2)):(error(exact, each_rule[i])):(doubt*error(exact, each_rule[i])) \
-    with yerrorlines lt int(word(colours, i)) dt 2 lw 0.8 pt int(word(open, i)) ps 0.55
+    with yerrorlines lt of_rule(i) dt 2 lw 0.8 pt int(word(open, i)) ps 0.55
 set lmargin screen 0.635; set rmargin screen 0.985
 unset label
-set label 1 ink(3, "$\\phi=.575$") at 0.1,0.0052; set label 2 ink(3, "$.49$") at 0.62,0.0027
-set label 3 ink(3, "$.45$") at 0.84,0.00164; set label 4 ink(3, "$.30$") at 0.84,0.0010
+set label 1 ink(Metropolis, "$\\phi=.575$") at 0.1,0.0052; set label 2 ink(Metropolis, "$.49$") at 0.62,0.0027
+set label 3 ink(Metropolis, "$.45$") at 0.84,0.00164; set label 4 ink(Metropolis, "$.30$") at 0.84,0.0010
 set logscale x; set xrange [0.04:1.1]; set xtics (".05" 0.05, ".1" 0.1, ".2" 0.2, ".3" 0.3, ".5" 0.5, ".8" 0.8); set format y ""
 set ytics ("" 2e-4, "" 5e-4, "" 1e-3, "" 2e-3, "" 5e-3, "" 1e-2); set mxtics 1
 set xlabel "$R_{\\rm sh}$"
 plot for [i = 1:4] rows("efficiency-step", "fraction=".word(phis, i)) using (column("shake.radius")*(1 + 0.02*(i - 2.5))):(error(q, each_window)):(doubt*error(q, each_window)) \
-  with yerrorlines lt 3 lw 0.8 pt int(word("13 9 5 7", i)) ps 0.5
+  with yerrorlines lt Metropolis lw 0.8 dt i pt int(word("8 10 9 11", i)) ps 0.5
 unset multiplot

@@ -18,7 +18,7 @@ EOD
 set multiplot
 unset key
 set tmargin screen 0.9; set bmargin screen 0.16
-set logscale xy; set format x "$10^{%T}$"; set xrange [0.1:3e5]; set yrange [1e-17:1e-1]; set xtics 100; set ytics 1e4
+set logscale xy; set format x "$10^{%T}$"; set xrange [0.02:3e5]; set yrange [1e-17:1e-1]; set xtics 100; set ytics 1e4
 do for [i = 1:3] {
   a = word(aspects, i)
   set lmargin screen 0.13 + 0.29*(i - 1); set rmargin screen 0.4 + 0.29*(i - 1)
@@ -28,13 +28,13 @@ do for [i = 1:3] {
   if (i == 1) { set label 9 "error of the area" at screen 0.01,graph 0.5 center rotate }
   if (i == 2) { set xlabel "microseconds a pair, one core" } else { set xlabel " " }
   if (i == 3) {
-    do for [j = 1:5] { set label 10 + j ink(j, "$m=".word(ms, j)."$") at graph 0.98,0.5 - 0.075*j right }
-    set label 20 ink(7, "pentagons") at graph 0.98,0.05 right
+    do for [j = 1:5] { set label 10 + j ink(j, "$m=".word(ms, j)."$") at graph 0.98,0.53 - 0.075*j right }
+    set label 20 ink(Law, "pentagons") at graph 0.98,0.075 right
   }
-  plot for [j = 1:5] $sizes using (ptime(a."-".word(ms, j), column("k"))):(points(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 pt 6 ps 0.6, \
-    for [j = 1:5] $sizes using (mtime(a."-".word(ms, j), column("k"))):(mixed(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 pt 4 ps 0.6, \
+  plot for [j = 1:5] $sizes using (ptime(a."-".word(ms, j), column("k"))):(points(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 dt j pt 6 ps 0.6, \
+    for [j = 1:5] $sizes using (mtime(a."-".word(ms, j), column("k"))):(mixed(a."-".word(ms, j), column("k"))) with linespoints lt j lw 0.8 dt j pt 4 ps 0.6, \
     for [j = 1:5] "+" using (took(a."-".word(ms, j), "ours")):(known("speed", sprintf("overlap_%s-%s_ours", a, word(ms, j)))) every ::0::0 with points lt j pt 7 ps 0.8, \
-    $sizes using (ptime("pentagon", column("k"))):(points("pentagon", column("k"))) with linespoints lt 7 lw 0.8 pt 6 ps 0.6, \
-    "+" using (took("pentagon", "ours")):(known("speed", "overlap_pentagon_ours")) every ::0::0 with points lt 7 pt 7 ps 0.8
+    $sizes using (ptime("pentagon", column("k"))):(points("pentagon", column("k"))) with linespoints lt Law lw 0.8 pt 6 ps 0.6, \
+    "+" using (took("pentagon", "ours")):(known("speed", "overlap_pentagon_ours")) every ::0::0 with points lt Law pt 7 ps 0.8
 }
 unset multiplot

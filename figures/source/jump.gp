@@ -17,26 +17,26 @@ set lmargin screen 0.115; set rmargin screen 0.55
 set logscale xy; set xrange [8e-5:0.125]; set yrange [4e-4:20]
 set format "$10^{%T}$"
 set xlabel "$R-2$"; set label 1 "$\\rho K(R)$, centres nearer than $R$" at screen 0.02,graph 0.5 center rotate
-set label 2 ink(8, "simple cubic") at 1.1e-4,10.5
-set label 3 ink(3, "jammed") at 1.1e-4,2.7
-set label 4 ink(1, "grown, $\\phi=.575$") at 3e-3,0.11
-set label 5 ink(4, "random addition, $.30$") at 1.1e-1,0.0016 right
-plot for [i = 1:3] data("jump-lattice", "K@".word(hs, i).".tsv") using (step(real(word(hs, i)))):(cubic*column("K")) with lines lt 8 dt 1 lw 1.4, \
-  for [i = 1:3] data("jump-jammed", "K.tsv") using (step(real(word(hs, i)))):(jammed*column("K")) with points lt 3 pt (0 + word("8 4 6", i)) ps 0.6, \
-  for [i = 1:3] data("jump-grown", "K@".word(hs, i).".tsv") using (step(real(word(hs, i)))):(grown*column("K")):(grown*column("K_err")) with yerrorbars lt 1 pt (0 + word("8 4 6", i)) ps 0.6, \
-  data("rsa-K", "K.tsv") using (step(0.0005)):(rsa*column("K")):(rsa*column("K_err")) with yerrorbars lt 4 pt 13 ps 0.5, \
-  grown*4*pi*4*known("jump-grown", "contact@0.01")*x with lines lt 1 lw 0.7 dt 3
+set label 2 ink(Guide, "simple cubic") at 1.1e-4,10.5
+set label 3 ink(Jammed, "jammed") at 1.1e-4,2.7
+set label 4 ink(Grown, "grown, $\\phi=.575$") at 3e-3,0.11
+set label 5 ink(Added, "random addition, $.30$") at 1.1e-1,0.0016 right
+plot for [i = 1:3] data("jump-lattice", "K@".word(hs, i).".tsv") using (step(real(word(hs, i)))):(cubic*column("K")) with lines lt Guide dt 1 lw 1.4, \
+  for [i = 1:3] data("jump-jammed", "K.tsv") using (step(real(word(hs, i)))):(jammed*column("K")) with points lt Jammed pt (0 + word("8 4 6", i)) ps 0.6, \
+  for [i = 1:3] data("jump-grown", "K@".word(hs, i).".tsv") using (step(real(word(hs, i)))):(grown*column("K")):(grown*column("K_err")) with yerrorbars lt Grown pt (0 + word("8 4 6", i)) ps 0.6, \
+  data("rsa-K", "K.tsv") using (step(0.0005)):(rsa*column("K")):(rsa*column("K_err")) with yerrorbars lt Added pt 13 ps 0.5, \
+  grown*4*pi*4*known("jump-grown", "contact@0.01")*x with lines lt Grown lw 0.7 dt 3
 unset label; unset logscale y
 set lmargin screen 0.675; set rmargin screen 0.985
 set xrange [6e-5:1.7e-2]; set yrange [-0.8:7]; set format y "%g"; set ytics 1
 set xlabel "step $\\Delta R$"; set label 1 "$\\rho\\,[2K(2{+}\\Delta R)-K(2{+}2\\Delta R)]$" at screen 0.602,graph 0.5 center rotate
-set label 2 ink(8, "simple cubic") at 8e-5,6.4
-set label 3 ink(3, "jammed") at 8e-5,4.6
-set label 4 ink(1, "grown") at 8e-5,0.33
-set label 5 ink(4, "random addition") at 8e-5,-0.42
-plot 0 with lines lt 8, \
-  columns("'of=K_jump@*' ".data("jump-lattice", "summary.tsv")) using "at":(cubic*column("value")) with linespoints lt 8 dt 1 lw 1.4 pt 7, \
-  "+" using (real(word(hs, int($0) + 1))):(jammed*jump(real(word(hs, int($0) + 1)))) every ::0::2 with linespoints lt 3 pt 9 ps 0.7, \
-  columns("'of=K_jump@*' ".data("jump-grown", "summary.tsv")) using "at":(grown*column("value")):(grown*column("standard_error")) with yerrorlines lt 1 pt 7 ps 0.6, \
-  columns("where=quantity=K_jump ".data("rsa-K", "summary.tsv")) using (0.0005):(rsa*column("value")):(rsa*column("standard_error")) with yerrorbars lt 4 pt 13 ps 0.8
+set label 2 ink(Guide, "simple cubic") at 8e-5,6.4
+set label 3 ink(Jammed, "jammed") at 8e-5,4.6
+set label 4 ink(Grown, "grown") at 8e-5,0.33
+set label 5 ink(Added, "random addition") at 8e-5,-0.42
+plot 0 with lines lt Guide, \
+  columns("'of=K_jump@*' ".data("jump-lattice", "summary.tsv")) using "at":(cubic*column("value")) with linespoints lt Guide dt 1 lw 1.4 pt 7, \
+  "+" using (real(word(hs, int($0) + 1))):(jammed*jump(real(word(hs, int($0) + 1)))) every ::0::2 with linespoints lt Jammed pt 9 ps 0.7, \
+  columns("'of=K_jump@*' ".data("jump-grown", "summary.tsv")) using "at":(grown*column("value")):(grown*column("standard_error")) with yerrorlines lt Grown ps 0.6, \
+  columns("where=quantity=K_jump ".data("rsa-K", "summary.tsv")) using (0.0005):(rsa*column("value")):(rsa*column("standard_error")) with yerrorbars lt Added pt 13 ps 0.8
 unset multiplot

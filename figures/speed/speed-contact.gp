@@ -18,8 +18,8 @@ do for [k = 1:2] {
   set label (k == 1 ? "$\\phi=.30$" : "$\\phi=.575$") at 1.5e3,2.5e-4
   if (k == 1) {
     set label ink(2, "bin $.5a$") at 2e6,0.36; set label ink(5, "bin $.1a$") at 2e6,0.08
-    set label ink(4, "bin $.01a$") at 1.1e7,0.0029
-    set label ink(6, "degree 1") at 4e6,0.017; set label ink(1, "2") at 2.5e7,3.2e-4; set label ink(3, "3") at 6e7,1.2e-3
+    set label ink(4, "bin $.01a$") at 1.4e8,0.0038 right
+    set label ink(6, "degree 1") at 5e6,0.021; set label ink(1, "2") at 2.5e7,3.2e-4; set label ink(3, "3") at 6e7,1.2e-3
   }
   plot rows("bin", 0.5, phi) using pairs:"rms" with lines lt 2, rows("bin", 0.1, phi) using pairs:"rms" with lines lt 5, \
     rows("bin", 0.01, phi) using pairs:"rms" with lines lt 4, rows("fit", 1, phi) using pairs:"rms" with lines lt 6, \

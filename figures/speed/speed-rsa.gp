@@ -13,19 +13,19 @@ set multiplot layout 1,2 margins 0.125,0.985,0.17,0.97 spacing 0.04
 unset key
 set xrange [0.9:2e6]; set xtics 1,100
 set xlabel "operations a particle"; set ylabel "fraction missing, $\\phi(\\infty)-\\phi$" offset 2.2,0
-set arrow 1 from full(2),2.5e-3 to full(2),9e-4 lt 1 lw 1.5 size graph 0.02,25
-set arrow 2 from full(3),2.5e-3 to full(3),9e-4 lt 2 lw 1.5 size graph 0.02,25
-set label 1 ink(8, "one by one") at 1e4,0.04; set label 2 ink(8, "ours") at 2.5,6e-3
-plot work("naive", 2) using ops:"missing fraction" with lines lt 1 dt 2, work("naive", 3) using ops:"missing fraction" with lines lt 2 dt 2, \
-  work("ours", 2) using ops:"missing fraction" with linespoints lt 1, work("ours", 3) using ops:"missing fraction" with linespoints lt 2
+set arrow 1 from full(2),2.5e-3 to full(2),9e-4 lt Discs lw 1.5 size graph 0.02,25
+set arrow 2 from full(3),2.5e-3 to full(3),9e-4 lt Spheres lw 1.5 size graph 0.02,25
+set label 1 ink(Guide, "one by one") at 1e4,0.04; set label 2 ink(Guide, "ours") at 2.5,6e-3
+plot work("naive", 2) using ops:"missing fraction" with lines lt Discs dt 2, work("naive", 3) using ops:"missing fraction" with lines lt Spheres dt 2, \
+  work("ours", 2) using ops:"missing fraction" with linespoints lt Discs, work("ours", 3) using ops:"missing fraction" with linespoints lt Spheres
 unset label
 unset ylabel; set format y ""
 set xrange [3e-8:2e-2]; set xtics 1e-7,10; set xlabel "seconds a particle"
-set arrow 1 from saturated("discs"),2.5e-3 to saturated("discs"),9e-4 lt 1 lw 1.5 size graph 0.02,25
-set arrow 2 from saturated("spheres"),2.5e-3 to saturated("spheres"),9e-4 lt 2 lw 1.5 size graph 0.02,25
-set label 1 ink(1, "discs") at saturated("discs")*0.8,1.4e-3 right; set label 2 ink(2, "spheres") at saturated("spheres")*1.3,1.4e-3
-plot rows("plain_trials", "discs") using (each(1)):"error":(each_err(1)) with xerrorlines lt 1 pt 6 dt 2, \
-  rows("plain_trials", "spheres") using (each(1)):"error":(each_err(1)) with xerrorlines lt 2 pt 4 dt 2, \
-  rows("ours", "discs") using (each(1)):"error":(each_err(1)) with xerrorlines lt 1, \
-  rows("ours", "spheres") using (each(1)):"error":(each_err(1)) with xerrorlines lt 2
+set arrow 1 from saturated("discs"),2.5e-3 to saturated("discs"),9e-4 lt Discs lw 1.5 size graph 0.02,25
+set arrow 2 from saturated("spheres"),2.5e-3 to saturated("spheres"),9e-4 lt Spheres lw 1.5 size graph 0.02,25
+set label 1 ink(Discs, "discs") at saturated("discs")*0.8,1.4e-3 right; set label 2 ink(Spheres, "spheres") at saturated("spheres")*1.3,1.4e-3
+plot rows("plain_trials", "discs") using (each(1)):"error":(each_err(1)) with xerrorlines lt Discs pt 6 dt 2, \
+  rows("plain_trials", "spheres") using (each(1)):"error":(each_err(1)) with xerrorlines lt Spheres pt 4 dt 2, \
+  rows("ours", "discs") using (each(1)):"error":(each_err(1)) with xerrorlines lt Discs, \
+  rows("ours", "spheres") using (each(1)):"error":(each_err(1)) with xerrorlines lt Spheres
 unset multiplot

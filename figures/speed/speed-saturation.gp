@@ -19,7 +19,7 @@ do for [k = 1:2] {
     set label ink(1, "packs of 100") at 80,8e-4; set label ink(2, "packs of 1000") at 80,4e-4
     set label ink(3, "packs of 10000") at 80,2e-4
   }
-  plot width/sqrt(x) with lines lt 8, rows(k + 1, 100) using "particles in all":"rms error":"its error" with yerrorbars lt 1, \
+  plot width/sqrt(x) with lines lt Guide, rows(k + 1, 100) using "particles in all":"rms error":"its error" with yerrorbars lt 1, \
     rows(k + 1, 1000) using "particles in all":"rms error":"its error" with yerrorbars lt 2, rows(k + 1, 10000) using "particles in all":"rms error":"its error" with yerrorbars lt 3
 }
 unset multiplot

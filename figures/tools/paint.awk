@@ -10,7 +10,7 @@
 #   path   COLOUR RIM w x y x y ...   a polygon, filled, with its rim
 #   outline NAME x y x y ...       a polygon about the origin, which rows `shape` repeat: written once, however many there are
 #   shape  NAME COLOUR RIM w x y r c s   it, filled, with its rim, r times as large, turned by the angle of cosine c and sine s
-#   clip   x0 y0 x1 y1             nothing outside this is drawn, until `clip` alone
+#   clip   x0 y0 x1 y1             nothing outside this is drawn, until `clip` alone; an error if all that comes between has its centre there
 #   ball   NAME x y r              what a row `light` has described before
 #   light  NAME RIM TOP            a ball of colour RIM with a darker edge, lit from the upper left, where it is TOP
 #   words  x y WORDS               in the middle there; `words x y WORDS left` begins there
@@ -89,10 +89,14 @@ $1 == "shape" {
   if ($3 != filled) put(rgb(filled = $3) " rg")
   put("q " c " " t " " m " " c " " at($6, $7) " cm/" $2 " Do Q"); things++
 }
+$1 == "disc" || $1 == "ball" { held_in += $3 >= c0 && $3 <= c1 && $4 >= d0 && $4 <= d1; within++ }
+$1 == "shape" { held_in += $6 >= c0 && $6 <= c1 && $7 >= d0 && $7 <= d1; within++ }
+$1 == "clip" { if (NF == 1 && within && !held_in) hidden = 1; c0 = $2; d0 = $3; c1 = $4; d1 = $5; within = held_in = 0 }
 $1 == "clip" { put(NF > 1 ? "q " area($2, $3, $4, $5) " W n" : "Q"); ink = nib = filled = "" }
 $1 == "ball" { r = n($5 * scale); put("q " r " 0 0 " r " " at($3, $4) " cm/" $2 " Do Q"); things++ }
 END {
   if (!things) { print "paint.awk: nothing is drawn" > "/dev/stderr"; exit 1 }
+  if (hidden) { print "paint.awk: all that a clip holds lies outside it" > "/dev/stderr"; exit 1 }
   put("Q"); rest(); print "\\hss}\\ht0=" H "bp\\dp0=0bp"
   print "\\immediate\\pdfxform resources{/XObject<<\\balls>>}0"
   printf "\\leavevmode\\begin{picture}(%s,%s)\\put(0,0){\\pdfrefxform\\pdflastxform}%%\n%s\\end{picture}\\endgroup\n", W, H, said
