@@ -58,7 +58,7 @@ SAN      := $(filter-out -O3,$(CFLAGS)) -O1 -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined -Wno-pass-failed
 B        := build
 
-.PHONY: FRESH COMPILER help deps build try paper draft data atlas check check-slow programs lint mutants bench library install uninstall dist clean
+.PHONY: FRESH COMPILER help deps build try paper white draft data atlas check check-slow programs lint mutants bench library install uninstall dist clean
 help: ## this list
 	@echo 'randpack: a literate laboratory for random packs of hard particles'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 20
@@ -290,9 +290,12 @@ $(B)/paper/%.tex: $(B)/%.tsv paper/findings-tex.awk
 $(B)/paper/hard.tex: $(B)/hard.tsv paper/hard.awk
 	@mkdir -p $(@D)
 	@awk -v score=$(@D)/hard-score.tex -f paper/hard.awk $< > $@
-$(B)/paper/web.tex: $(WEB)
+$(B)/paper/woven.tex: $(WEB)
 	@mkdir -p $(@D)
 	@noweave -n -index $(WEB) > $@
+# And what a reader looks things up in: subjects, what a chapter uses, what it is tested by.
+$(B)/paper/web.tex: $(B)/paper/woven.tex paper/apparatus paper/subjects.tsv tests/mutants.tsv
+	@paper/apparatus $< paper/subjects.tsv tests/mutants.tsv tests > $@
 # The user's guide: all keys, rows and tables, as the program tells them; and what its commands print, in a tree of their own.
 $(B)/paper/keys.tex: paper/keys.awk paper/tex.awk paper/unwrap.awk $(B)/bin/randpack
 	@mkdir -p $(@D)
@@ -310,12 +313,17 @@ $(B)/paper/guide.tex: $(B)/paper/guide.stamp ;
 TEX := paper/book.tex paper/front.tex paper/preamble.tex paper/refs.bib $(B)/paper/web.tex \
   $(B)/paper/values.tex $(B)/paper/recorded.tex $(B)/paper/keys.tex $(B)/paper/files.tex $(B)/paper/guide.tex \
   $(B)/paper/findings.tex $(B)/paper/controls.tex $(B)/paper/hard.tex $(FIGURES:%=$(B)/figures/%.tex)
-$(B)/paper.pdf: $(TEX) paper/weave
+# The same lines on the same pages, of one size of paper or the other.
+PAPER := a4
+$(if $(filter-out a4 letter,$(PAPER)),$(error PAPER is a4 or letter))
+$(B)/paper.pdf $(B)/paper-letter.pdf: $(TEX) paper/weave
 	@echo '  weave'
-	@paper/weave $(B)/paper
-	@cp $(B)/paper/book.pdf $@
-paper: $(B)/paper.pdf ## build/paper.pdf: everything computed, drawn and woven
-	@echo 'build/paper.pdf'
+	@paper/weave $(B)/paper $(if $(filter %-letter.pdf,$@),letter,a4)
+	@cp $(B)/paper/book$(if $(filter %-letter.pdf,$@),-letter).pdf $@
+paper: $(B)/paper$(if $(filter letter,$(PAPER)),-letter).pdf ## build/paper.pdf: everything computed, drawn and woven; PAPER=letter: paper-letter.pdf
+	@echo '$<'
+white: $(B)/paper.pdf ## how much of the pages is white at their feet; needs pdftoppm
+	@paper/white $<
 
 # A draft is the same book from a few packs a scene, built in a folder of its own where only the program is that of build/.
 draft: $(B)/bin/randpack $(B)/hard ## build/draft.pdf: the whole book in minutes, from a few packs a scene

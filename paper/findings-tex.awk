@@ -4,7 +4,7 @@ BEGIN {
   FS = "\t"
   ways = split("holds,does not hold,undecided,untested", way, ",")
   many = split(recorded, name, " "); for (i = 1; i <= many; i++) sign[name[i]] = 1
-  print "{\\footnotesize\\setlength\\tabcolsep{3pt}\\begin{longtable}{@{}lp{2.8pc}p{11.5pc}p{3.9pc}p{4.6pc}p{6.6pc}@{}}\\toprule"
+  print "{\\footnotesize\\setlength\\tabcolsep{3pt}\\begin{longtable}{@{}lp{2.9pc}p{11.4pc}p{3.9pc}p{4.6pc}p{6.6pc}@{}}\\toprule"
   print "no. & place & claim; \\texttt{scene@quantity} & claimed & measured & verdict\\\\\\midrule\\endhead\\bottomrule\\endfoot"
 }
 # A number with the error in its last digits; rounded here and nowhere before.

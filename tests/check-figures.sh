@@ -38,6 +38,14 @@ plot t using "R":"g":"kind" with labels offset 1,1, t using "R":"g":(0.1) with c
 unset multiplot'
 drawn() { draw <<< "$good" && [ -s "$tmp/figure.tex" ] && [ -s "$tmp/figure.pdf" ]; }
 tell 'a figure of two panels is drawn' drawn
+# Thinned, it has no state that changes nothing, its discs are ends of lines, and TeX can read it.
+thinned() {
+  perl -MCompress::Zlib -0777 -ne 's/.*?\nstream\n(.*?)\nendstream.*/$1/s; my $t = uncompress($_) // "";
+    exit !($t =~ /^(\S+ \S+) m\n\1 l$/m && $t !~ /1 0 0 1 0 0 cm/)' "$tmp/figure.pdf" &&
+    pdflatex -draftmode -halt-on-error -interaction=batchmode -output-directory="$tmp" \
+      "\\documentclass{article}\\usepackage{graphicx}\\begin{document}\\includegraphics{$tmp/figure.pdf}\\end{document}" > /dev/null
+}
+tell 'and has no byte that says nothing' thinned
 # refused WORDS SED: the figure, changed so, is refused with the words, and nothing is left.
 refused() {
   says "$1" draw <<< "$(sed "$2" <<< "$good")" && [ ! -e "$tmp/figure.tex" ]
