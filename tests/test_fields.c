@@ -100,8 +100,10 @@ static void test_values(void) {
   static const char *const bad[] = {"", " 1", "\f1", "x", "1x", "1,5", "1d", "1D+", "1 2", "--1", "d3", "1e5d3"};
   double v[4], x;
   bool t[3];
-  for (size_t k = 0; k < sizeof good / sizeof *good; k++)
-    gsl_test(!fields_number(good[k].word, &x) || x != good[k].value, "number %s: %g", good[k].word, x);
+  for (size_t k = 0; k < sizeof good / sizeof *good; k++) {
+    bool is = fields_number(good[k].word, &x);
+    gsl_test(!is || x != good[k].value, "number %s: %g", good[k].word, x);
+  }
   for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
     gsl_test(fields_number(bad[k], &x), "no number: %s", bad[k]);
   gsl_test(fields_numbers("[[1, 2],[3 , 4.5]]", v, 4) != 4 || v[0] != 1 || v[3] != 4.5, "a matrix");
