@@ -77,7 +77,8 @@ static void test_by_hand(void) {
   double side = sqrt(M_PI), turn = M_PI / 4;
   A = body(square, 1, 0, 0, turn);
   B = body(square, 1, side, 0.3 * side, turn);
-  gsl_test(overlap_find(&A, &B, &o) && o.area > 1e-14, "squares side by side do not: %g", o.area);
+  bool found = overlap_find(&A, &B, &o);
+  gsl_test(found && o.area > 1e-14, "squares side by side do not: %g", o.area);
   gsl_test(overlap_verdict(&A, &B, NULL) != OVERLAP_TOUCHING, "they touch");
   B.x = 0.25 * side;
   B.y = 0;
@@ -323,7 +324,8 @@ static void test_needles(void) {
              "their overlap, m = %g: %g", m[i], o.area);
     B = body(needle, 1, 2 * needle->a * cos(0.2), 2 * needle->a * sin(0.2), 0.2);
     double gap;
-    gsl_test(overlap_verdict(&A, &B, &gap) == OVERLAP_CROSSING && gap < -1e-13, "needles tip to tip, m = %g: %g", m[i], gap);
+    bool crossing = overlap_verdict(&A, &B, &gap) == OVERLAP_CROSSING;
+    gsl_test(crossing && gap < -1e-13, "needles tip to tip, m = %g: %g", m[i], gap);
     B.x *= 1 + 1e-12;
     B.y *= 1 + 1e-12;
     gsl_test(overlap_verdict(&A, &B, NULL) != OVERLAP_APART, "and a little apart, m = %g", m[i]);
