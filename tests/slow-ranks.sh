@@ -98,10 +98,11 @@ thrice() {
   [ $status = 1 ] && grep -q 'realization 0 (seed 8) was lost 3 times; the last time its worker was ended by signal 9' "$tmp/err" || { cat "$tmp/err"; return 1; }
 }
 tell 'what is lost three times is given up' thrice
-rank_dies() { # parts are on disk by then, and the same command goes on
-  local pid rank tries=0 status=0
+rank_dies() { # parts are on disk by then, and the same command goes on; so many realizations that two seconds are not enough
+  local pid rank tries=0 status=0 longer=(run "$tmp/long.scene" --set realizations=30)
   rm -rf "$tmp/dies"
-  ranks 2 run "$tmp/long.scene" --out "$tmp/dies" 2> "$tmp/err" &
+  ends 0 "$randpack" "${longer[@]}" --out "$tmp/longer" || return 1
+  ranks 2 "${longer[@]}" --out "$tmp/dies" 2> "$tmp/err" &
   pid=$!
   until ls "$tmp/dies/parts" 2> /dev/null | grep -qv part || [ $((tries += 1)) -gt 300 ]; do sleep 0.1; done
   local all
@@ -113,8 +114,8 @@ rank_dies() { # parts are on disk by then, and the same command goes on
     while [ "$(ps -o comm= -p "$p")" = randpack ] && [ $((tries += 1)) -lt 50 ]; do sleep 0.1; done
     [ $tries -lt 50 ] || { ps -o pid,ppid,stat,cmd -p "$p"; return 1; }
   done
-  [ $status != 0 ] && [ ! -e "$tmp/dies/summary.tsv" ] && touch -d 2001-01-01 "$tmp/dies/pack-0.xyz" && ends 0 ranks 3 run "$tmp/long.scene" --out "$tmp/dies" &&
-    diff -r "$tmp/long" "$tmp/dies" && [ "$tmp/dies/pack-0.xyz" -ot "$tmp/long.scene" ]
+  [ $status != 0 ] && [ ! -e "$tmp/dies/summary.tsv" ] && touch -d 2001-01-01 "$tmp/dies/pack-0.xyz" && ends 0 ranks 3 "${longer[@]}" --out "$tmp/dies" &&
+    diff -r "$tmp/longer" "$tmp/dies" && [ "$tmp/dies/pack-0.xyz" -ot "$tmp/long.scene" ]
 }
 tell 'a rank that is killed ends the run, nothing of it goes on, and the same command finishes it' rank_dies
 script() {
