@@ -151,6 +151,9 @@ $(B)/obj/ranks.o: private WARNINGS += $(MPI_NEEDS)
 $(B)/bin/randpack: $(B)/obj/randpack.o $(filter-out %/guard.o %/library.o,$(OBJECTS))
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
+# What the program does and says: its text without comments, so that an edit of prose neither draws nor runs anything again.
+$(B)/print/program: $(STAMPS) tests/bare.pl | $(B)/bin/randpack
+	@cat $(B)/plain/*.[ch] | perl tests/bare.pl | sha256sum | cpif $@
 build: $(B)/bin/randpack ## leave build/bin/randpack; MPI=1: for mpirun, too (Debian's libopenmpi-dev)
 try: $(B)/bin/randpack ## a first pack in seconds: its numbers, its g(R), a picture
 	@examples/try.sh $< $(B)/try
@@ -304,7 +307,7 @@ $(B)/paper/files.tex: paper/files.awk paper/tex.awk paper/unwrap.awk $(B)/bin/ra
 	@mkdir -p $(@D)
 	@$(B)/bin/randpack help | sed -n 's/^  \([a-z]*\.[A-Za-z0-9_-]*\): .*/\1/p' | while read -r entry; do $(B)/bin/randpack help $$entry; done | \
 	  awk -f paper/unwrap.awk | awk -f paper/tex.awk -f $< | cpif $@
-$(B)/paper/guide.stamp: src/guide/guide.nw paper/sessions $(wildcard examples/*.scene examples/*.txt) $(B)/bin/randpack
+$(B)/paper/guide.stamp: src/guide/guide.nw paper/sessions $(wildcard examples/*.scene examples/*.txt) $(B)/print/program
 	@mkdir -p $(@D)
 	@echo '  run the commands of the guide'
 	@paper/sessions $< $(B)/guide | cpif $(B)/paper/guide.tex
