@@ -6,6 +6,8 @@
 #include "watch.h"
 #include <gsl/gsl_test.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 /* Stops at the tick of this number, and writes the state; 0: never. The state at the end of a part is written, too; each part has a file
    of its own, PATH-1, PATH-2, ... */
@@ -63,6 +65,13 @@ static Keeper *keeper_of(const char *path, int stop) {
   keeper->path = path;
   keeper->stop = stop;
   return keeper;
+}
+
+/* A folder of its own, and the path of the files in it. */
+static void keeper_place(char dir[40], char path[80]) {
+  snprintf(dir, 40, "%s/keeper-XXXXXX", access("/dev/shm", W_OK) ? "/tmp" : "/dev/shm");
+  gsl_test(mkdtemp(dir) == NULL, "a folder");
+  snprintf(path, 80, "%s/state", dir);
 }
 
 /* Remove all its files. */

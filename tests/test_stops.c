@@ -273,9 +273,7 @@ static void test_case(const Case *c, const char *path) {
 
 int main(void) {
   char dir[40], path[80];
-  snprintf(dir, sizeof dir, "%s/stops-XXXXXX", access("/dev/shm", W_OK) ? "/tmp" : "/dev/shm");
-  gsl_test(mkdtemp(dir) == NULL, "a folder");
-  snprintf(path, sizeof path, "%s/state", dir);
+  keeper_place(dir, path);
   for (size_t c = 0; c < sizeof cases / sizeof *cases; c++)
     test_case(&cases[c], path);
   gsl_test(rmdir(dir), "nothing is left in it");

@@ -204,13 +204,11 @@ static void test_depth(const char *path) {
 
 int main(void) {
   char dir[40], path[80];
-  snprintf(dir, sizeof dir, "%s/watch-XXXXXX", access("/dev/shm", W_OK) ? "/tmp" : "/dev/shm");
-  gsl_test(mkdtemp(dir) == NULL, "a folder");
-  snprintf(path, sizeof path, "%s/state", dir);
+  keeper_place(dir, path);
   test_depth(path);
   test_other(path);
   for (size_t c = 0; c < sizeof cases / sizeof *cases; c++)
     test_case(&cases[c], path);
-  rmdir(dir);
+  gsl_test(rmdir(dir), "nothing is left in it");
   return gsl_test_summary();
 }
