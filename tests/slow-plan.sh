@@ -1,7 +1,7 @@
 #!/bin/bash
 # tests/slow-plan.sh: what plan --time foretells is what a run takes, within a factor of two: seconds of the processor, memory, disk.
 . tests/tell.sh
-# Probes are short: other work on the machine may double one of them. So each scene has three tries.
+# alone: probes are short, and other work may double one of them; so each scene also has three tries.
 "${CC:-gcc}" -O1 -std=c11 tests/usage.c -o "$tmp/usage" || exit 1
 say() { printf '%s\n' "$2" > "$tmp/$1.scene"; }
 say grown 'dimension = 3; realizations = 2; save = true; species = ( { name = "A"; radius = 1.0; number = 16000; } ); fraction = 0.6;

@@ -3,18 +3,8 @@
 # rank goes on.
 . tests/tell.sh
 . tests/small.sh
-command -v mpirun > "$tmp/found" && command -v mpicc > "$tmp/found" || { echo 'SKIP: mpirun and mpicc are not installed, so nothing was run by MPI'; exit; }
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl_base_warn_component_unused=0
-others=$(ls build/obj/*.o | grep -vE '/(ranks|ref_.*)\.o$')
-# shellcheck disable=SC2046,SC2086
-${CC:-gcc} -O2 -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -DRANDPACK_MPI $(mpicc --showme:compile) -Ibuild/c build/plain/ranks.c $others \
-  -lconfig -lfftw3 -lz -lgsl -lgslcblas -lm $(mpicc --showme:link) -o "$tmp/randpack" || exit 1
+. tests/mpi.sh
 small_scenes "$tmp"
-ranks() { # ranks K WORD...: by so many ranks
-  local k=$1
-  shift
-  mpirun --oversubscribe -n "$k" "$tmp/randpack" "$@"
-}
 same() { # same SCENE K WORD...: the directory of K ranks is that of a run without
   local name=$1 k=$2
   shift 2
@@ -53,9 +43,7 @@ differ() {
 }
 tell 'and so is one that is another' differ
 
-# --- losses. Each realization takes a second or two.
-printf '%s\n' 'dimension = 3; seed = 8; realizations = 6; save = true; species = ( { name = "A"; radius = 1.0; number = 1500; } ); fraction = 0.6;
-make = { method = "crm"; growth = 0.01; }; measure = { contact = {}; };' > "$tmp/long.scene"
+# --- losses
 below() { # below PID: all processes that it has started, and those that these have
   local child
   for child in $(ps -o pid= --ppid "$1"); do echo "$child"; below "$child"; done
@@ -123,17 +111,4 @@ script() {
   MPIRUN='mpirun --oversubscribe -n 2' RANDPACK=$tmp/randpack bash "$OLDPWD/examples/mpi.sbatch" "$tmp/mixed.scene" && cd "$OLDPWD" && diff -r "$tmp/mixed" "$tmp/script/results"
 }
 tell 'the script for MPI' script
-
-# --- the model of chapter cost: five realizations of one length take two workers as long as three of them take one.
-wall() { local TIMEFORMAT=%R; { time ranks "$1" run "$tmp/long.scene" --set realizations=5 --out "$tmp/wall" > "$tmp/out" 2>&1; } 2>&1; }
-dealt() {
-  local one two
-  for i in 1 2 3; do
-    one=$(wall 1) two=$(wall 2)
-    echo "one rank $one s, two ranks $two s; 3/5 is foretold"
-    awk -v a="$one" -v b="$two" 'BEGIN { exit !(b / a > 0.5 && b / a < 0.75) }' && return
-  done
-  return 1
-}
-if [ "$(nproc)" -ge 2 ]; then tell 'two ranks take three fifths of the time for five realizations' dealt; fi
 exit $failed
