@@ -13,7 +13,7 @@ set lmargin screen 0.11; set rmargin screen 0.515
 set label 9 "$S_{aa}$" at screen 0.012,graph 0.5 center rotate
 set label 1 "without overlap" at graph 0.96,graph 0.93 right
 set label 2 ink(1, "$\\bullet$ squares") at graph 0.96,graph 0.83 right
-set label 3 ink(2, "$\\scriptstyle\\blacksquare$ ellipses, $\\kappa=2.28367$") at graph 0.96,graph 0.74 right
+set label 3 ink(2, "$\\scriptstyle\\blacksquare$ ellipses, $a/b=2.28367$") at graph 0.96,graph 0.74 right
 plot data("two-polygons", "S2@4.tsv") using "R":"S2":"S2_err" with yerrorlines lt 1 lw 1 pt 7 ps 0.2, \
   data("two-aspect", "S2@2.28367.tsv") using "R":"S2":"S2_err" with yerrorlines lt 2 lw 1 pt 5 ps 0.2
 unset label 9
