@@ -226,7 +226,7 @@ $(B)/data/seconds/summary.tsv: data/bench-seconds.tsv $(BENCH) $(BENCHED:%=$(B)/
 	@[ -z "$(FRESH)" ] || tests/bench.sh
 	@$(B)/bench recorded $< $(@D)
 FRESH: ;
-data: $(SCENES:%=$(B)/data/%/summary.tsv) ## run every computation
+data: $(SCENES:%=$(B)/data/%/summary.tsv) ## run all scenes, the long ones from their records
 atlas: $(B)/bin/randpack ## the runs that are too long for the book, recorded under data/ (an hour)
 	@tests/atlas.sh $(ATLAS)
 
@@ -277,11 +277,11 @@ $(B)/paper/values.tex: paper/values.awk $(WEB) $(wildcard paper/*.tex) $(SUMMARI
 	  $(WEB) $(wildcard paper/*.tex) | sort -u > $(B)/paper/used
 	@awk -v recorded='$(RECORDED)' -f paper/values.awk $(B)/paper/used $(SUMMARIES) > $@
 # Which figures are recorded, and how much in all.
-$(B)/paper/recorded.tex: paper/recorded.awk $(WEB) $(DRAWINGS) $(B)/data/seconds/summary.tsv Makefile
+$(B)/paper/recorded.tex: paper/recorded.awk $(WEB) paper/front.tex $(DRAWINGS) $(B)/data/seconds/summary.tsv Makefile
 	@mkdir -p $(@D)
 	@awk -v recorded='$(RECORDED)' -v runs=$(words $(ATLAS)) -v draft=$(DRAFT) \
 	  -v other="$$(awk -F'\t' '$$1 == "other_code" { print $$2 + 0 }' $(B)/data/seconds/summary.tsv)" \
-	  -f $< $(DRAWINGS) $(WEB) > $@
+	  -f $< $(DRAWINGS) $(WEB) paper/front.tex > $@
 # Claims of the sources, and our own controls, judged by one rule.
 $(B)/findings.tsv: data/claims.tsv paper/findings.awk $(SUMMARIES)
 	@awk -v draft=$(DRAFT) -f paper/findings.awk data/claims.tsv $(SUMMARIES) > $@
@@ -323,7 +323,7 @@ $(B)/paper.pdf $(B)/paper-letter.pdf: $(TEX) paper/weave
 	@echo '  weave'
 	@paper/weave $(B)/paper $(if $(filter %-letter.pdf,$@),letter,a4)
 	@cp $(B)/paper/book$(if $(filter %-letter.pdf,$@),-letter).pdf $@
-paper: $(B)/paper$(if $(filter letter,$(PAPER)),-letter).pdf ## build/paper.pdf: everything computed, drawn and woven; PAPER=letter: paper-letter.pdf
+paper: $(B)/paper$(if $(filter letter,$(PAPER)),-letter).pdf ## build/paper.pdf: computed (long runs: from their records), drawn and woven; PAPER=letter: paper-letter.pdf
 	@echo '$<'
 white: $(B)/paper.pdf ## how much of the pages is white at their feet; needs pdftoppm
 	@paper/white $<
@@ -368,7 +368,7 @@ mutants: $(STAMPS) $(INC) ## planted errors, each caught by a named test
 	@ROWS='$(ROWS)' tests/mutants '$(CC) $(CFLAGS)' '$(MODULES) $(ENTRIES)' '$(LIBS)'
 $(B)/bench: $(BENCH) $(wildcard tests/ref_*.c) $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) $(if $(DRAFT),-DDRAFT) -I$(B)/c -Itests tests/bench.c $(wildcard tests/ref_*.c) $(OBJECTS) $(LIBS) -o $@
-bench: $(B)/bench ## speeds on this machine, recorded under data/
+bench: $(B)/bench ## speeds on this machine when it is idle, recorded under data/
 	@tests/bench.sh
 
 # ---------------------------------------------------------------- the library

@@ -16,7 +16,7 @@ function wrong(what) { print ARGV[1] ": row " number ": " what > "/dev/stderr"; 
 # The value and the error e of "SCENE@QUANTITY", or of two joined by - or /. "KEY|0" is 0 where there is no such row.
 function one(key) {
   if (sub(/\|0$/, "", key) && !(key in value)) { found = 0; return 0 }
-  if (!(key in value)) { if (draft) missing = 1; else wrong("no quantity " key) }
+  if (!(key in value)) { if (draft) missing = 1; else wrong("no quantity " key); found = 0; return 0 } # reading value[key] would make it
   found = se[key] + 0
   return value[key] + 0
 }

@@ -1,6 +1,7 @@
 # paper/recorded.awk: which figures are drawn from recorded runs, and how much of the book is recorded, as LaTeX macros.
 # -v recorded="SCENE SCENE ...", -v runs=N, how many runs these are; -v other=1: the seconds were recorded with other code.
-# -v draft=1: this is a draft. Reads the drawings of figures/, whose line `# data: ...` names what a figure reads, and the chapters, for their \val{SCENE}{...}.
+# -v draft=1: this is a draft. Reads the drawings of figures/, whose line `# data: ...` names what a figure reads, and the chapters and the first
+# pages, paper/front.tex, for their \val{SCENE}{...}.
 BEGIN { many = split(recorded, name, " "); for (i = 1; i <= many; i++) sign[name[i]] = 1; sign["data/bench-seconds.tsv"] = 1 }
 FNR == 1 { figure = FILENAME; sub(/.*\//, "", figure); drawn = sub(/\.(gp|sh)$/, "", figure); plots += drawn }
 drawn && /^# data:/ {

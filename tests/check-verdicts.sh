@@ -58,6 +58,11 @@ counted() {
 tell 'verdicts are counted by source, and recorded ones bear a sign' counted
 draft() { printf 'B\t\tx\tone@gone\t< 1\t\t\n' > "$tmp/claims"; awk -v draft=1 -f paper/findings.awk "$tmp/claims" "${tables[@]}" | grep -q 'untested.*not in this draft'; }
 tell 'a draft may lack a quantity' draft
+twice() {
+  printf 'B\t\tx\tone@gone\t< 1\t\t\nB\t\ty\tone@gone\t< 1\t\t\n' > "$tmp/claims"
+  [ "$(awk -v draft=1 -f paper/findings.awk "$tmp/claims" "${tables[@]}" | grep -c 'untested.*not in this draft')" = 2 ]
+}
+tell 'and two claims may need it' twice
 
 printf 'kept@x\none@q\nseconds@rate\n' > "$tmp/used"
 signs() { awk -v recorded='kept seconds' -f paper/values.awk "$tmp/used" "${tables[@]}" "$tmp/seconds/summary.tsv" > "$tmp/values"; }

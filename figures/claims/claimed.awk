@@ -1,4 +1,4 @@
-# from: theory-curves/theory.tsv theory-curves/summary.tsv first-peak/summary.tsv bimodal/summary.tsv gravity-discs/summary.tsv first-peak/shaken.rdf@retry@{0.575,0.6}.tsv bimodal/shaken.partial.{L-L,L-S,S-S}@retry@{3,60}.tsv
+# from: theory-curves/theory.tsv theory-curves/summary.tsv first-peak/summary.tsv bimodal/summary.tsv gravity-discs/summary.tsv rsa-saturation-3d/summary.tsv first-peak/shaken.rdf@retry@{0.575,0.6}.tsv bimodal/shaken.partial.{L-L,L-S,S-S}@retry@{3,60}.tsv
 # claimed.awk: what some claims need and no single quantity of a run says. From summaries and tables, of which
 # it finds the columns by their names; lengths in radii. Errors are of quantities and bins taken as independent.
 # order_right, order_central: the power of the step in the error of the quotients (14), at R = 3 on Percus and Yevick's curve
@@ -8,8 +8,8 @@
 # rise_4, rise_3.46: height of the third and the second peak at .63 by that at .575. willis_4: the excess of Willis's curve at 4 by that of
 # packs. pronounced: g_11 within .05 of 4.54 by its mean on both sides. forgotten_12, forgotten_22: mean square of the difference of
 # 60 and 3 shakes by its error, from R = 2.5 on. noisy: the error of a bin of g_11 by that of g_22, beyond the first peak. multiplied: 1 - (1 - phi)^2
-# of discs by gravity.
-function row(name, v, e) { printf "%s\t%.9g\t%.3g\n", name, v, e + 0 }
+# of discs by gravity. willis_sign: the c at which Willis's g_c, a line in 1 / c, is zero. saturated: how much denser spheres added at random are than in [torquato2006].
+function row(name, v, e) { printf "%s\t%.12g\t%.12g\n", name, v, e + 0 }
 function get(scene, name) {
   if (!((scene, name) in value)) { print "claimed.awk: no " name " of " scene > "/dev/stderr"; failed = 1 }
   slip = error[scene, name] + 0
@@ -48,6 +48,10 @@ function twins(   c, l) {
   l = 0.313; c = get("bimodal", "contact_py.L-S@retry@60")
   row("twins", model(c, 2.5) / model(c, 2 + l / 2))
   row("least", model(get("bimodal", "contact_py.L-L@retry@60"), 3 - atan2(2, pi) / pi))
+}
+function sign(   a, b) {
+  a = get("theory-curves", "willis_0.49_contact") - 1; b = get("theory-curves", "willis_0.575_contact") - 1
+  row("willis_sign", (b - a) / (b / 0.49 - a / 0.575))
 }
 function willis(c) { return 0.8006 * (8 * c - 1) / c }
 function carried(name, u, v, f,   to, e) {
@@ -100,9 +104,10 @@ table == "summary" { value[scene, $1] = $2; error[scene, $1] = $3 == "nan" || $3
 { lines[table]++; for (k = 1; k <= NF; k++) cell[table, k, lines[table]] = $k }
 BEGIN { FS = "\t"; pi = 3.14159265358979; print "# written by claimed.awk\nquantity\tvalue\tstandard_error" }
 END {
-  orders(); twins(); extrapolate(); rise("rise_4", "peak2"); rise("rise_3.46", "peak1")
+  orders(); twins(); sign(); extrapolate(); rise("rise_4", "peak2"); rise("rise_3.46", "peak1")
   g = get("first-peak", "made.peak2_g@retry@0.575") - 1; row("willis_4", ratio(at("theory", "willis_0.575", 401) - 1, 0, g, slip), err)
   bump(); forgotten("forgotten_12", "L-S", 1, 0.313); forgotten("forgotten_22", "S-S", 0.313, 0.313); noisy()
   g = get("gravity-discs", "phi_0.6@30000"); row("multiplied", 1 - (1 - g) ^ 2, 2 * (1 - g) * slip)
+  g = get("rsa-saturation-3d", "fraction"); row("saturated", g - 0.38278, sqrt(slip ^ 2 + 0.00005 ^ 2))
   exit failed
 }

@@ -2,11 +2,12 @@
 # s3-limits.awk: what S says of its Fig. 10, from the table of squares: limits, edges, the diagonal; and how far three points, and two, tell the
 # two homometric packs apart, in standard errors.
 BEGIN { FS = "\t"; print "# written by s3-limits.awk\nquantity\tvalue\tstandard_error" }
-FNR == 1 { table++ }
-/^#/ || $1 == "theta" { next }
+FNR == 1 { table++; head = 0 }
+/^#/ { next }
+!head { delete at; for (k = 1; k <= NF; k++) at[$k] = k; head = 1; next }
 {
-  i = sprintf("%.0f", $2 * 10); j = sprintf("%.0f", $3 * 10); key = table SUBSEP $1 + 0 SUBSEP i SUBSEP j
-  S[key] = $4; error[key] = $5; if (i + 0 > most[table]) most[table] = i + 0
+  i = sprintf("%.0f", $at["R1"] * 10); j = sprintf("%.0f", $at["R2"] * 10); key = table SUBSEP $at["theta"] + 0 SUBSEP i SUBSEP j
+  S[key] = $at["S3"]; error[key] = $at["S3_err"]; if (i + 0 > most[table]) most[table] = i + 0
 }
 function s(theta, i, j) { return S[1, theta, i, j] }
 function say(name, value, e) { printf "%s\t%.12g\t%.12g\n", name, value, e }

@@ -26,7 +26,7 @@ FNR == 1 { name = name_of(FILENAME); head = 0; law = kind == "boolean"; if (kind
 !head { delete at; for (k = 1; k <= NF; k++) at[$k] = k; head = 1; b = 0; if (!law) order[++curves] = name; next }
 law { fixed[name, b] = $at["S2_phi"]; exact[name, b++] = $at["S2_N"]; next }
 {
-  R[name, b] = $1; S[name, b] = $at["S2"]; e[name, b] = $at["S2_err"]
+  R[name, b] = $at["R"]; S[name, b] = $at["S2"]; e[name, b] = $at["S2_err"]
   n[name] = ++b
 }
 function abs(x) { return x < 0 ? -x : x }

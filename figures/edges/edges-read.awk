@@ -6,7 +6,7 @@
 # standard deviations. none@PACKS@SIDE: K_bias if nothing is done about the edge, from the truth and the mean overlap of a cube.
 # shape_bias@SHAPE@EDGES, shape_sd: of K at R = 5 in the shapes, per cent. number@PACKS@SIDE, number_shape@SHAPE: N. fano@PACKS@SIDE: variance of N
 # by its mean; predicted@beads@SIDE: the bias of K that follows, and that of the tori. dir/edges.tsv: the same for the figure.
-function row(name, value, error) { printf "%s\t%.9g\t%.3g\n", name, value, error }
+function row(name, value, error) { printf "%s\t%.12g\t%.12g\n", name, value, error }
 function volume(r) { return 4 / 3 * 3.14159265358979 * r ^ 3 }
 function note(q, packs, at, edges, value, error, truth, slip, n,   sd) {
   sd = error * sqrt(n) / truth
@@ -20,19 +20,21 @@ FNR == 1 {
 }
 /^# scene/ { match($0, /packs [0-9]+/); n = substr($0, RSTART + 6, RLENGTH - 6) }
 /^#/ { next }
-!head { head = 1; next }
+!head { delete col; for (k = 1; k <= NF; k++) col[$k] = k; head = 1; next }
+# A line of a table: R, and its function with the error.
+part[1] == "K" || part[1] == "rdf" { q = part[1] == "K" ? "K" : "g"; R = $col["R"] + 0; v = $col[q]; e = $col[q "_err"] }
 part[1] == "K" {
   of[packs] = n # that of a summary is all combinations
-  if (scene ~ /torus$/) { true_K[scene, $1 + 0] = $2; err_K[scene, $1 + 0] = $3; next }
-  if (packs == "shapes" && $1 == 5) note("shape", "shapes", part[2], part[3], $2, $3, true_K["edges-shapes-torus", 5], 0, n)
-  else if ($1 == 3 && packs == "points") note("K", packs, part[2], part[3], $2, $3, volume(3), 0, n)
-  else if ($1 == 3) note("K", packs, part[2], part[3], $2, $3, true_K["edges-torus", 3], err_K["edges-torus", 3], n)
+  if (scene ~ /torus$/) { true_K[scene, R] = v; err_K[scene, R] = e; next }
+  if (packs == "shapes" && R == 5) note("shape", "shapes", part[2], part[3], v, e, true_K["edges-shapes-torus", 5], 0, n)
+  else if (R == 3 && packs == "points") note("K", packs, part[2], part[3], v, e, volume(3), 0, n)
+  else if (R == 3) note("K", packs, part[2], part[3], v, e, true_K["edges-torus", 3], err_K["edges-torus", 3], n)
   next
 }
-part[1] == "rdf" && $1 > 2.85 && $1 < 2.95 {
-  if (scene ~ /torus$/) { true_g = $2; err_g = $3 }
-  else if (packs == "points") note("g", packs, part[2], part[3], $2, $3, 1, 0, n)
-  else note("g", packs, part[2], part[3], $2, $3, true_g, err_g, n)
+part[1] == "rdf" && R > 2.85 && R < 2.95 {
+  if (scene ~ /torus$/) { true_g = v; err_g = e }
+  else if (packs == "points") note("g", packs, part[2], part[3], v, e, 1, 0, n)
+  else note("g", packs, part[2], part[3], v, e, true_g, err_g, n)
 }
 file == "summary" {
   q = $1; parts = split(q, part, "@")

@@ -43,7 +43,7 @@ function beyond(   i, k, u, v, w, s, b, t, first, last, bad, all) {
       all++; if (last > 0) bad += 1 - least(first, 0.02) / least(last, 0.02)
     }
   }
-  printf "beyond\t%.9g\t0\n", bad / all
+  printf "beyond\t%.12g\t0\n", bad / all
 }
 function use() { if (!n) return; store(); if (open) lonely(); else beyond() }
 BEGIN { print "# written by touch.awk\nquantity\tvalue\tstandard_error" }
@@ -51,4 +51,4 @@ FNR == 1 { use(); n = 0; next }
 FNR == 2 { open = match($0, / open=[0-9.]+/) ? substr($0, RSTART + 6, RLENGTH - 6) + 0 : 0; side = $0; sub(/^Lattice="/, "", side); side += 0; next }
 { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
 END { use(); sum /= packs; square = square / packs - sum * sum
-  printf "lonely\t%.9g\t%s\n", sum, (packs > 1 ? sprintf("%.3g", sqrt((square > 0 ? square : 0) / (packs - 1))) : "nan") }
+  printf "lonely\t%.12g\t%s\n", sum, (packs > 1 ? sprintf("%.12g", sqrt((square > 0 ? square : 0) / (packs - 1))) : "nan") }

@@ -1,4 +1,4 @@
-# Figs. 10 and 11 of B: g_12 and g_22 at c = .6, lambda = .313, as grown and after 60 shakes, on his scales.
+# Figs. 10 and 11 of B: g_12 and g_22 at c = .6, lambda = .313, as grown and after 60 shakes, on their scales.
 # data: bimodal
 set terminal cairolatex pdf size 12.6cm,12.4cm font ",10" fontscale 0.9
 set output out

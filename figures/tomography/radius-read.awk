@@ -11,7 +11,7 @@
 # shaken@S: how much lower the peak of the packs of tomography-shaken is after shaking than before, if smeared.
 # Errors are of bins taken as independent. dir/near.tsv: S, r, g, its error, g smeared; dir/wrong.tsv: S, E (error) and, of
 # bins of 0.02, first and read against first at the right radius.
-function row(name, value, error) { if (error == "") printf "%s\t%.4g\t0\n", name, value; else printf "%s\t%.9g\t%.3g\n", name, value, error }
+function row(name, value, error) { if (error == "") printf "%s\t%.4g\t0\n", name, value; else printf "%s\t%.12g\t%.12g\n", name, value, error }
 function least(x, y) { return x < y ? x : y }
 function most(x, y) { return x > y ? x : y }
 # The mean of g over the shell u to v, its error in err.

@@ -1,4 +1,4 @@
-# Figs. 5 and 6 of B: g(R) at .5925 in large packs as grown, and in packs of 2000 before and after his shakes.
+# Figs. 5 and 6 of B: g(R) at .5925 in large packs as grown, and in packs of 2000 before and after their shakes.
 # data: tomography tomography-shaken
 set terminal cairolatex pdf size 12.6cm,12cm font ",10" fontscale 0.9
 set output out
