@@ -121,6 +121,9 @@ COMPILER: ;
 $(B)/print/mpi: COMPILER
 	@mkdir -p $(@D)
 	@echo '$(MPI_NEEDS)' | cpif $@
+$(B)/print/strict: COMPILER
+	@mkdir -p $(@D)
+	@echo '$(WERROR)' | cpif $@
 PRINTS := $(MODULES:%=$(B)/print/%) $(ENTRIES:%=$(B)/print/%) $(B)/print/flags
 $(B)/c/prints.stamp: $(PRINTS)
 	@for p in $(PRINTS); do printf '{"%s", "%s"},\n' "$${p##*/}" "$$(<$$p)"; done | \
@@ -135,14 +138,14 @@ INC := $(B)/c/prints.inc $(B)/c/includes.inc
 
 # ---------------------------------------------------------------- compiling
 OBJECTS := $(MODULES:%=$(B)/obj/%.o) $(ENTRIES:%=$(B)/obj/%.o)
-$(B)/obj/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(INC)
+$(B)/obj/%.o: $(B)/c/%.c $(B)/print/flags $(B)/print/strict | $(STAMPS) $(INC)
 	@mkdir -p $(@D)
 	@echo '  compile $*'
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/%.o: $(B)/c/%.c $(B)/print/flags | $(STAMPS) $(INC)
+$(B)/san/%.o: $(B)/c/%.c $(B)/print/flags $(B)/print/strict | $(STAMPS) $(INC)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
-$(B)/san/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
+$(B)/san/ref_%.o: tests/ref_%.c $(B)/print/flags $(B)/print/strict | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 $(B)/obj/ranks.o: $(B)/print/mpi
@@ -298,7 +301,7 @@ $(B)/paper/woven.tex: $(WEB)
 	@noweave -n -index $(WEB) > $@
 # And what a reader looks things up in: subjects, what a chapter uses, what it is tested by.
 $(B)/paper/web.tex: $(B)/paper/woven.tex paper/apparatus paper/subjects.tsv tests/mutants.tsv
-	@paper/apparatus $< paper/subjects.tsv tests/mutants.tsv tests > $@
+	@paper/apparatus $< paper/subjects.tsv tests/mutants.tsv tests $(B)/plain > $@
 # The user's guide: all keys, rows and tables, as the program tells them; and what its commands print, in a tree of their own.
 $(B)/paper/keys.tex: paper/keys.awk paper/tex.awk paper/unwrap.awk $(B)/bin/randpack
 	@mkdir -p $(@D)
@@ -319,7 +322,9 @@ TEX := paper/book.tex paper/front.tex paper/preamble.tex paper/refs.bib $(B)/pap
 # The same lines on the same pages, of one size of paper or the other.
 PAPER := a4
 $(if $(filter-out a4 letter,$(PAPER)),$(error PAPER is a4 or letter))
-$(B)/paper.pdf $(B)/paper-letter.pdf: $(TEX) paper/weave
+# What takes longest begins first, so that nothing waits for it at the end.
+LONGEST := $(B)/data/speed/summary.tsv $(B)/data/growth-isothermal/summary.tsv
+$(B)/paper.pdf $(B)/paper-letter.pdf: $(LONGEST) $(TEX) paper/weave
 	@echo '  weave'
 	@paper/weave $(B)/paper $(if $(filter %-letter.pdf,$@),letter,a4)
 	@cp $(B)/paper/book$(if $(filter %-letter.pdf,$@),-letter).pdf $@
@@ -359,10 +364,10 @@ $(B)/unit/%: tests/test_%.c $(OBJECTS) $(REFERENCES:tests/%.c=$(B)/obj/%.o) $(wi
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c -Itests $(filter-out %.h,$^) $(LIBS) -o $@
 check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench $(B)/hard $(UNITS:%=$(B)/unit/%) ## the long tests, under 45 minutes
 	@CC='$(CC)' tests/run $(sort $(wildcard tests/slow-*.sh))
-# Warnings are errors here and in CI only, in a build of its own.
+# Warnings are errors here and in CI only: in a build of its own, or, as in CI, in the build that was made so from the start.
 programs: $(B)/bin/randpack $(B)/hard $(B)/slow $(B)/bench $(UNITS:%=$(B)/test/%)
 lint: $(STAMPS) $(INC) $(B)/bench ## form: the web, the warnings, the layout, the prose
-	@$(MAKE) --no-print-directory B=$(B)/lint WERROR=-Werror programs
+	@$(MAKE) --no-print-directory $(if $(WERROR),,B=$(B)/lint WERROR=-Werror) programs
 	@tests/lint '$(WEB)' '$(MODULES)' '$(ENTRIES)'
 mutants: $(STAMPS) $(INC) ## planted errors, each caught by a named test
 	@ROWS='$(ROWS)' tests/mutants '$(CC) $(CFLAGS)' '$(MODULES) $(ENTRIES)' '$(LIBS)'

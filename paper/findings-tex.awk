@@ -14,7 +14,7 @@ function number(v, e,   d, m) {
     d = 1 - int(log(e) / log(10) - (e < 1)); d = d < 0 ? 0 : d
     m = sprintf("%.*f(%.0f)", d, v, e * 10 ^ d)
     if (d <= 7) return "$" m "$"
-    m = sprintf("%.3e", v)
+    m = sprintf(v * v < 1e-4 ? "%.3e" : "%.9g", v)
   } else m = sprintf("%.6g", v)
   if (m ~ /e/) { sub(/e\+?/, "\\cdot10^{", m); sub(/\{-0*/, "{-", m); m = m "}" }
   return "$" m "$"
@@ -23,6 +23,7 @@ function decimal(t) { t = sprintf("%.9f", t); sub(/\.?0+$/, "", t); return t }
 # What the claim allows: printed as the source prints it.
 function allowed(claimed, tolerance,   t) {
   t = claimed; sub(/ to /, "$ to $", t); sub(/^about /, "\\text{about }", t)
+  if (sub(/1e-0*/, "10^{-", t)) t = t "}"
   return "$" t "$" (tolerance == "-" || tolerance == 0 ? "" : " $\\pm" decimal(tolerance) "$")
 }
 function code(s) { gsub(/[@._\/-]/, "&\\allowbreak{}", s); gsub(/_/, "\\_", s); gsub(/\^/, "\\^{}", s); return "\\texttt{\\scriptsize " s "}" }

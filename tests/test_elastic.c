@@ -192,7 +192,7 @@ static void test_trial_fields(void) {
     double lower = 1 / usual(phi, r, form(&stress, kz / 9, gz / 2, gt / 2));
     worst[0] = GSL_MAX(worst[0], fabs(found.upper / upper - 1));
     worst[1] = GSL_MAX(worst[1], fabs(found.lower / lower - 1));
-    /* In the plane: amplitudes p, q; s = (p + q) / 4. */
+    /* In the plane: amplitudes p, q; u = (p + q) / 4. */
     double w[2] = {Gt / 16, Kz / 8}, c[2] = {0.25, 0.25};
     static const double rows[][2] = {{1, -1}, {1, 0}};
     found = elastic_shear(2, phi, zeta, theta, K, G);

@@ -217,6 +217,28 @@ static void test_reading_shapes(void) {
   pack_free(&pack);
 }
 
+/* Numbers by value, then words, whatever the order of the lines. */
+static void test_names(void) {
+  static const char *const name[] = {"9", "10", "1a", "nan"};
+  Outcome out;
+  for (int turn = 0; turn < 24; turn++) {
+    char text[512];
+    int at = snprintf(text, sizeof text, "4\n" HEAD "\n"), from[4] = {0, 1, 2, 3}, code = turn;
+    for (int k = 4; k > 0; k--) { /* the permutation of this number */
+      int j = code % k, which = from[j];
+      code /= k;
+      from[j] = from[k - 1];
+      at += snprintf(text + at, sizeof text - (size_t)at, "%s %d 2 3 %d\n", name[which], which + 1, which + 1);
+    }
+    Pack *pack = read_text(text, &out);
+    bool good = pack && pack->kinds == 4;
+    for (int s = 0; good && s < 4; s++)
+      good = strcmp(pack->species[s].name, name[s]) == 0 && pack->species[s].radius == s + 1;
+    gsl_test(!good, "numbers by value, then words, order %d of the lines: %s", turn, out.text);
+    pack_free(&pack);
+  }
+}
+
 static void test_reading(void) {
   Outcome out;
   static const Species none[] = {{"nobody", 0.3, 0}};
@@ -558,6 +580,7 @@ int main(void) {
   test_round_trips();
   test_shapes();
   test_viewers();
+  test_names();
   test_reading();
   test_dialects();
   test_known();

@@ -14,7 +14,7 @@ do for [panel = 0:1] {
   if (panel) { set yrange [-1:2]; set ytics 1; set mytics 2 } else { set yrange [-5:2]; set ytics 1; set mytics 2 }
   set label 1 "bias of $K(3)$, per cent" at screen side(panel),graph 0.5 center rotate
   set label 2 (panel ? "beads, $\\phi=.5925$" : "independent points") at graph 0.97,0.94 right
-  if (panel) { set label 3 ink(Law, "$1/N$") at 430,0.42 } else { do for [i = 1:3] { set label 3 + i ink(int(word(inks, i)), word("minus Ripley's translation", i)) at graph 0.97,(0.45 - 0.13*i) right } }
+  if (panel) { set label 3 ink(Law, "$1/N$") at 370,0.62 } else { do for [i = 1:3] { set label 3 + i ink(int(word(inks, i)), word("minus Ripley's translation", i)) at graph 0.97,(0.45 - 0.13*i) right } }
   plot 0 with lines lt Guide lw 0.6, for [i = 1:3] rows(packs, word(ways, i)) using (column("N")*real(word(aside, i))):(100*column("K")):(100*column("K_err")) with yerrorbars lt int(word(inks, i)) lw 1 pt int(word(forms, i)) ps 0.5, \
     rows(packs, "ripley") using "N":(panel ? 100*column("one") : 0) with lines lt Law dt 3 lw 1
   do for [i = 2:6] { unset label i }

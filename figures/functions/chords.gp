@@ -5,10 +5,10 @@ set output out
 a = data("chords-discs", "chords.tsv"); b = data("chords-hard", "chords.tsv")
 lambda = 2/pi*log(2)
 set multiplot
-set lmargin screen 0.115; set rmargin screen 0.98
+set lmargin screen 0.13; set rmargin screen 0.98
 set xrange [0:10]; set logscale y; set format y "$10^{%T}$"
 set tmargin screen 0.985; set bmargin screen 0.58
-set label 1 "$a\\,p(z)$" at screen 0.022,graph 0.5 center rotate
+set label 1 "$a\\,p(z)$" at screen 0.016,graph 0.5 center rotate
 set yrange [1e-3:30]; set key at graph 0.99,0.98 right vertical
 plot a using "R":"p_matrix":"p_matrix_err" every 2 with yerrorbars lt Discs pt 6 ps 0.5 title "matrix between discs that overlap", \
   lambda*exp(-lambda*x) with lines lt Law title "its law", \

@@ -14,7 +14,7 @@ ss2(r) = (p2(r)**2*(1 - 1./200)*(1 - 0.5*v2(r)/200)**198 + d2(r)*(1 - 0.5*v2(r)/
 ss3(r) = (9*0.25*p3(r)**2*(1 - 1./400)*(1 - 0.5*v3(r)/400)**398 + 3*0.5*d3(r)*(1 - 0.5*v3(r)/400)**399)/s3**2
 set multiplot
 set xrange [0:4.05]; set samples 801
-set xlabel "$R=r/a$"
+set xlabel "$R=r/a$"; set xtics 1
 set lmargin screen 0.11; set rmargin screen 0.52; set bmargin screen 0.15; set tmargin screen 0.97
 set yrange [0.5:1.15]; set label 1 "$F_{sv}/s(1-\\phi)$" at screen 0.015,graph 0.5 center rotate
 set key inside bottom right vertical Right
@@ -23,7 +23,7 @@ plot data("voids-discs", "F_sv.tsv") using "R":(column("F")/s2/m2):(column("F_er
   data("voids-hard-discs", "shaken.F_sv.tsv") using "R":(column("F")/0.8/0.6):(column("F_err")/0.8/0.6) every 2 with yerrorlines lt Discs ps 0.4 title "hard discs", \
   data("voids-hard-spheres", "shaken.F_sv.tsv") using "R":(column("F")/0.9/0.7):(column("F_err")/0.9/0.7) every 2 with yerrorlines lt Spheres ps 0.35 title "hard spheres", \
   [0:4] sv2(x) with lines lt Discs dt 2 notitle, [0:4] sv3(x) with lines lt Spheres dt 2 notitle
-set lmargin screen 0.65; set rmargin screen 0.98; set xtics 1
+set lmargin screen 0.65; set rmargin screen 0.98
 set yrange [0:3.5]; set label 1 "$F_{ss}/s^2$" at screen 0.572,graph 0.5 center rotate
 unset key
 plot data("voids-discs", "F_ss.tsv") using "R":(column("F")/s2**2):(column("F_err")/s2**2) with yerrorbars lt Discs pt 6 ps 0.5, \

@@ -15,7 +15,7 @@ set label 2 ink(Gravity, "by gravity, $\\phi=".phi."$") at 4.5,1.9; set label 3 
 plot data("side-grown", "made.rdf@0.59.tsv") using "R":"g":"g_err" with yerrorlines lt Grown lw 0.8 ps 0.25, \
   data("gravity", "rdf.tsv") using "R":"g":"g_err" with yerrorlines lt Gravity lw 0.8 ps 0.3
 set tmargin screen 0.53; set bmargin screen 0.125; set format x "%g"; set xlabel "$R=r/a$" offset 0,0.3
-set yrange [0.3:2.2]; unset label
+set yrange [0.3:2.2]; unset label; set arrow 2 from 3.4641,0.3 to 3.4641,1.25 nohead lt Guide back
 set label 9 "$g(R)$" at screen 0.022,graph 0.5 center rotate
 set label 1 "$\\phi=.38$" at 5.4,1.9
 set label 2 ink(Gravity, "diluted, moves between surfaces ($\\scriptstyle\\blacktriangle$)") at 2.75,1.9; set label 3 ink(Gravity, "diluted, moves between centres ($\\triangle$)") at 2.75,1.72

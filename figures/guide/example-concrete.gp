@@ -15,7 +15,7 @@ set multiplot
 set lmargin screen 0.115; set rmargin screen 0.48; set tmargin screen 0.97; set bmargin screen 0.19
 set logscale x; set xrange [3.6:36]; set xtics (4, 8, 16, 32); set yrange [0:105]; set ytics 20; set mytics 2
 set xlabel "opening of the sieve, mm" offset 0,0.4; set ylabel "passing, \\%" offset 0.8
-set label 1 ink(8, "line: what was wanted") at 4.1,92
+set label 1 ink(8, "line: wanted") at 4.1,92
 set label 2 ink(1, "points: the pack") at 4.1,80
 plot $sieves using "opening":"passing" with lines lt 8 lw 1.2 dt 1, shares using (2*column("radius")):(100*column("volume")) with points lt 1 pt 7 ps 0.4
 unset label; unset logscale x

@@ -39,7 +39,7 @@ do for [j = 1:2] {
   set arrow 1 from 3.3,y0 + 0.16*dy to 3.3,y0 + 0.9*dy nohead lt Source lw 0.8 dt 2 back; set label 1 "3.3" at 3.3,y0 + 0.95*dy center
   set arrow 2 from 4,y0 + 0.16*dy to 4,y0 + 0.9*dy nohead lt Source lw 0.8 dt 2 back; set label 2 "4" at 4.08,y0 + 0.95*dy center
   set arrow 3 from 8.3,y0 + 0.16*dy to 8.3,y0 + 0.9*dy nohead lt Source lw 0.8 dt 2 back; set label 3 "8.3" at 8.3,y0 + 0.95*dy center
-  set arrow 4 from k,y0 to k,y0 + 0.13*dy nohead lt Guide dt 1 lw 1.6 back; set label 4 ink(Guide, "$1/\\lambda$") at k - 0.08,y0 + 0.1*dy right
+  set arrow 4 from k,y0 to k,y0 + 0.13*dy nohead lt Guide dt 1 lw 1.6 back; set label 4 ink(Guide, "$1/\\lambda$") at k - 0.2,y0 + 0.1*dy right
   do for [i = 1:5] {
     at = j == 1 ? geo12[i] : geo22[i]
     set arrow 10 + i from at,y0 to at,y0 + 0.08*dy nohead lt Guide dt 1 lw 1.6 back

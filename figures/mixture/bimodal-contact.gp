@@ -10,7 +10,7 @@ set multiplot
 set bmargin screen 0.15; set tmargin screen 0.97; set lmargin screen 0.1; set rmargin screen 0.47
 set xrange [0.27:0.53]; set xtics 0.1; set yrange [0.7:1.16]; set ytics 0.1; set xlabel "$c$" offset 0,0.7; set label 9 "$g_{km}$ at contact / BMCSL" at screen 0.022,graph 0.5 center rotate
 set label 1 ink(Coarse, "1--1") at 0.475,1.125 right; set label 2 ink(Mixed, "1--2") at 0.44,1.03; set label 3 ink(Fine, "2--2") at 0.43,0.978
-set label 4 ink(Guide, "Percus--Yevick") at 0.28,0.81; set label 5 "$\\times$ $Z-1$" at 0.32,1.03
+set label 4 ink(Guide, "Percus--Yevick") at 0.28,0.77; set label 5 "$\\times$ $Z-1$" at 0.32,1.03
 array phi[3] = [0.3, 0.4, 0.5]
 # the virial sum of the three contact values, by the shares of numbers of the scene
 share = 0.084; l3 = 0.313**3; rest = 1 - share

@@ -43,10 +43,10 @@ unset label
 # the law of errors
 set tmargin screen 0.385; set bmargin screen 0.09; set lmargin screen 0.105; set rmargin screen 0.485
 set logscale xy; set xrange [1.5e4:2.4e5]; set xtics (2e4, 5e4, 1e5, 2e5) ; unset mxtics; set format x "$%.0s{\\cdot}10^{%T}$"; set xtics add ("$2{\\cdot}10^4$" 2e4, "$5{\\cdot}10^4$" 5e4, "$10^5$" 1e5, "$2{\\cdot}10^5$" 2e5)
-set yrange [0.0052:0.16]; set ytics (0.01, 0.02, 0.05, 0.1); set format y "%g"; set xlabel "$PN$" offset 0,0.7; set label 9 "error of a bin of $g_{km}$" at screen 0.018,graph 0.5 center rotate
+set yrange [0.0045:0.16]; set ytics (0.01, 0.02, 0.05, 0.1); set format y "%g"; set xlabel "$PN$" offset 0,0.7; set label 9 "error of a bin of $g_{km}$" at screen 0.018,graph 0.5 center rotate
 s11 = noise[3]; s12 = noise[6]; s22 = noise[9]
 set label 1 ink(Coarse, "1--1") at 1.7e4,1.45*s11*sqrt(16e4/23e3); set label 2 ink(Mixed, "1--2") at 1.7e4,1.4*s12*sqrt(16e4/23e3); set label 3 ink(Fine, "2--2") at 1.7e4,0.72*s22*sqrt(16e4/23e3)
-set label 4 "$N=1000$" at 1.6e4,0.0061; set label 5 "7000, 2000" at 1.35e5,0.0061 center
+set label 4 "$N=1000$" at 1.6e4,0.0063; set label 5 "7000, 2000" at 1.35e5,0.0063 center
 array at[3] = [23e3, 157e3, 165e3]
 plot s11*sqrt(16e4/x) with lines lt Coarse lw 0.7, s12*sqrt(16e4/x) with lines lt Mixed lw 0.7, s22*sqrt(16e4/x) with lines lt Fine lw 0.7, \
   for [i = 1:3] "+" using (at[i]):(noise[0 + i]) every ::0::0 with points lt Coarse pt (i < 3 ? 5 : 4) ps 0.6, \

@@ -24,6 +24,6 @@ END {
   dash(2, 2); for (k = 1; k <= moves; k++) ring(brown, x0[k], y0[k], 1, 0.8); dash()
   for (k = 1; k < moves; k++) { dot(black, (x1[k] + x0[k + 1]) / 2, (y0[k] + y0[k + 1]) / 2, 1.5) }
   for (k = 1; k <= moves; k++) { dot(brown, x0[k], y0[k], 1.4); arrow(red, x0[k], y0[k], x1[k], y0[k], 1.3) }
-  for (k = 1; k <= moves; k++) words(x1[k] + 0.45, y0[k] - 0.5, k)
+  for (k = 1; k <= moves; k++) words(x1[k], y0[k] - 0.52, k)
   print "clip"; frame(grey, 0, low, X, high, 0.6)
 }

@@ -58,11 +58,11 @@ END {
   for (k = 0; k <= 700; k++) {
     now = k < 700 && hidden(-1e-9, k * Y / 700, 0, 0, 0)
     if (now && !was) y0 = k * Y / 700
-    if (!now && was) { line(red, 0, y0, 0, k * Y / 700, 2.4); middle = (y0 + k * Y / 700) / 2 }
+    if (!now && was) { line(red, 0, y0, 0, k * Y / 700, 2.4); label = y0 + 0.86 * (k * Y / 700 - y0) }
     was = now
   }
   for (k = 1; k <= ends; k++) if (!doubled(k)) dot(black, ex[k], ey[k], 1.9)
-  print "clip"; words(-0.35, middle, "$\\ell$")
+  print "clip"; words(-0.3, label, "$\\ell$")
 }
 # The same corner, of the other of the two?
 function doubled(k,   l) { for (l = 1; l < k; l++) if ((ex[l] - ex[k]) ^ 2 + (ey[l] - ey[k]) ^ 2 < 1e-6) return 1; return 0 }

@@ -32,8 +32,8 @@ do for [j = 1:3] {
   set arrow from b,-0.6 to b,6.6 nohead lt Source dt 2 back
   set label sprintf("B: $%g$", b) at b,7 center
   if (j == 3) {
-    set label ("$\\bullet$ after literal growth, small: $M=10$") at -98,4.8; set label ("$\\circ$ after isothermal growth") at -98,4
-    set label ("$\\scriptstyle\\blacksquare$ during literal growth") at -98,3.2; set label ("$\\scriptstyle\\square$ during isothermal growth") at -98,2.4; set label ("$\\scriptstyle\\blacktriangle\\,\\vartriangle$ the highest bin, $M=60$, 10") at -98,1.6
+    set label ("$\\bullet$ after literal growth, small: $M=10$") at -98,5; set label ("$\\circ$ after isothermal growth") at -98,4
+    set label ("$\\scriptstyle\\blacksquare$ during literal growth") at -98,3; set label ("$\\scriptstyle\\square$ during isothermal growth") at -98,2; set label ("$\\scriptstyle\\blacktriangle\\,\\vartriangle$ the highest bin, $M=60$, 10") at -98,1
   }
   plot for [s in "first-peak first-peak-longest"] after(s, phi) using (per(change)):(at(0.26)):(per(change."_err")):(rule(0)) with xerrorbars lc variable lw 1.6 pt 7 ps 0.6, \
     after("first-peak", phi) using (per(ten)):(at(0.36)):(per(ten."_err")):(rule(0)) with xerrorbars lc variable lw 1.6 pt 7 ps 0.3, \

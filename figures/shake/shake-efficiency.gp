@@ -43,9 +43,9 @@ plot "+" using (at(int($0) + 1)):(best[int($0) + 1]):(doubt*best[int($0) + 1]) e
     with yerrorlines lt of_rule(i) dt 2 lw 0.8 pt int(word(open, i)) ps 0.55
 set lmargin screen 0.635; set rmargin screen 0.985
 unset label
-set label 1 ink(Metropolis, "$\\phi=.575$") at 0.1,0.0052; set label 2 ink(Metropolis, "$.49$") at 0.62,0.0027
-set label 3 ink(Metropolis, "$.45$") at 0.84,0.00164; set label 4 ink(Metropolis, "$.30$") at 0.84,0.0010
-set logscale x; set xrange [0.04:1.1]; set xtics (".05" 0.05, ".1" 0.1, ".2" 0.2, ".3" 0.3, ".5" 0.5, ".8" 0.8); set format y ""
+set label 1 ink(Metropolis, "$\\phi=.575$") at 0.1,0.0052; set label 2 ink(Metropolis, "$.49$") at 0.95,0.0038
+set label 3 ink(Metropolis, "$.45$") at 0.95,0.0016; set label 4 ink(Metropolis, "$.30$") at 0.95,0.00095
+set logscale x; set xrange [0.04:1.5]; set xtics (".05" 0.05, ".1" 0.1, ".2" 0.2, ".3" 0.3, ".5" 0.5, ".8" 0.8); set format y ""
 set ytics ("" 2e-4, "" 5e-4, "" 1e-3, "" 2e-3, "" 5e-3, "" 1e-2); set mxtics 1
 set xlabel "$R_{\\rm sh}$"
 plot for [i = 1:4] rows("efficiency-step", "fraction=".word(phis, i)) using (column("shake.radius")*(1 + 0.02*(i - 2.5))):(error(q, each_window)):(doubt*error(q, each_window)) \

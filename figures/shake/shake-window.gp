@@ -42,7 +42,7 @@ set xrange [0.15:40]; set xtics (".2" 0.2, "1" 1, "5" 5, "30" 30); set yrange [8
 set xlabel "collisions between shakes" offset 0,0.7
 set label "(c) first peak" at screen 0.565,graph 0.5 center rotate by 90
 set label ink(Metropolis, "Metropolis") at graph 0.95,0.98 right; set label ink(Retry, "retry") at graph 0.95,0.63 right
-set label "full: at the end of growth" at graph 0.95,0.17 right; set label "open: 10 shakes later" at graph 0.95,0.06 right
+set label "full: at the end of growth" at graph 1,0.26 right; set label "open: 10 shakes later" at graph 1,0.13 right
 way(w) = rows("shake-way", "shake.rule=".word("metropolis retry", w))
 plot for [w = 1:2] way(w) using (1.04*column("shake.every")):"shaken.contact_first_bin":"shaken.contact_first_bin_err" with yerrorlines lt (w == 1 ? Metropolis : Retry) dt 2 pt (w == 1 ? 8 : 4) ps 0.55, \
   for [w = 1:2] way(w) using (column("shake.every")/1.04):"made.contact_first_bin":"made.contact_first_bin_err" with yerrorlines lt (w == 1 ? Metropolis : Retry) ps 0.5

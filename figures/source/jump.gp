@@ -13,10 +13,10 @@ jump(h) = 2*near(h) - near(2*h)
 unset key
 set multiplot
 set tmargin screen 0.975; set bmargin screen 0.135
-set lmargin screen 0.115; set rmargin screen 0.55
+set lmargin screen 0.125; set rmargin screen 0.55
 set logscale xy; set xrange [8e-5:0.125]; set yrange [4e-4:20]
 set format "$10^{%T}$"
-set xlabel "$R-2$"; set label 1 "$\\rho K(R)$, centres nearer than $R$" at screen 0.02,graph 0.5 center rotate
+set xlabel "$R-2$"; set label 1 "$\\rho K(R)$, centres nearer than $R$" at screen 0.012,graph 0.5 center rotate
 set label 2 ink(Guide, "simple cubic") at 1.1e-4,10.5
 set label 3 ink(Jammed, "jammed") at 1.1e-4,2.7
 set label 4 ink(Grown, "grown, $\\phi=.575$") at 3e-3,0.11

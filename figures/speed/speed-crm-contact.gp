@@ -17,7 +17,7 @@ set label 3 ink(3, "parabola") at 1900,0.6 right; set label 4 ink(1, "rate") at 
 plot rows("wide") using "collisions a particle":"rms" with linespoints lt 2, rows("thin") using "collisions a particle":"rms" with linespoints lt 5, \
   rows("fit") using "collisions a particle":"rms" with linespoints lt 3, rows("rate") using "collisions a particle":"rms" with linespoints lt 1
 unset label
-unset ylabel; set format y ""; set xrange [12:1200]; set ytics ("" 0.1, "" 1, "" 10, "" 100)
+unset ylabel; set format y ""; set xrange [12:3000]; set ytics ("" 0.1, "" 1, "" 10, "" 100)
 set label 1 ink(Isothermal, "growth") at 250,6.5; set label 2 ink(Dynamics, "growth, then rest") at 75,1.6 center; set label 3 "excess of packs that grew" at graph 0.98,0.95 right
 plot grown("grown") using "collisions a particle":(bias(0)):"its error" with yerrorlines lt Isothermal, grown("rest") using "collisions a particle":(bias(0)):"its error" with yerrorlines lt Dynamics
 unset multiplot

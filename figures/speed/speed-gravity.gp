@@ -17,9 +17,9 @@ set ytics ("$3$" 3, "$10$" 10, "$30$" 30, "$100$" 100, "$300$" 300)
 set ylabel "$\\mu$s a particle" offset 1.8,0
 set label says(Law, "all pairs", "plain_all", "literal-3") at 9e2,600
 set label says(Discs, "adaptive, 2-D", "ours", "adaptive-2") at 1.5e5,110 right
-set label says(Spheres, "3-D", "ours", "adaptive-3") at 4e4,45
-set label says(Spheres, "literal, 3-D", "ours", "literal-3") at 1.5e5,22.3 right
-set label says(Discs, "literal, 2-D", "ours", "literal-2") at 1.5e5,5.2 right
+set label says(Spheres, "3-D", "ours", "adaptive-3") at 1.5e5,62 right
+set label says(Spheres, "literal, 3-D", "ours", "literal-3") at 1.5e5,17 right
+set label says(Discs, "literal, 2-D", "ours", "literal-2") at 1.5e5,3.9 right
 plot rows("plain_all", "literal-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt Law, \
   rows("ours", "adaptive-2") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt Discs, \
   rows("ours", "adaptive-3") using "size":(each(1e6)):(each_err(1e6)) with yerrorlines lt Spheres, \

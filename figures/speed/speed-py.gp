@@ -15,7 +15,7 @@ do for [k = 1:3] {
   set xlabel (k == 2 ? "terms, or points of the grid" : " ")
   unset label
   if (k == 1) { set label "error of $g$" at screen 0.02,graph 0.5 center rotate }
-  if (k == 1) { set label ink(4, "poles") at 1,0.01; set label ink(3, "shells") at 5,1.2e-15 }
+  if (k == 1) { set label ink(4, "poles") at 1,0.01; set label ink(3, "shells") at 5,6e-15 }
   if (k == 2) { set label ink(Plain, "Fourier, plain") at 300,0.5 }
   if (k == 3) { set label ink(5, "jump") at 1.2e4,1e-9 right; set label ink(5, "subtracted") at 1.2e4,4e-11 right }
   plot rows("fft-plain", R) using "terms":"absolute error" with linespoints lt Plain, \

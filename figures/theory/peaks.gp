@@ -21,7 +21,7 @@ x	y
 9.3	0
 END
 set arrow 1 from 0,0 to 2*h,0 heads filled size 0.18,18 lw 1.5 front
-set label 1 "$R=2\\sqrt3$" at h,0.62 center front
+set label 1 "$R=2\\sqrt3$" at h,1 center front
 set label 2 "(A)" at -1.2,1.8
 set arrow 2 from 7.3,0 to 11.3,0 heads filled size 0.18,18 lw 1.5 front
 set label 3 "$R=4$" at 9.3,0.45 center front
