@@ -12,6 +12,13 @@ tell 'theory py at phi = 0.575' prints '2 7.12802768166\n4 1.55505783164\n20 0.9
   "$randpack" theory py --phi 0.575 --at 2,4,20
 tell 'no pair below contact' prints '0 0\n1 0\n1.99999999999 0\n' \
   "$randpack" theory py --phi 0.575 --at 0,1,1.99999999999
+many() { # every column of a wide table has its name, and its name alone
+  printf 'dimension = 3; theory = { curves = ["py", "well-stirred", "willis", "willis-kanaun"]; phi = [%s]; step = 1.0; reach = 3.0; };\n' \
+    "$(seq -s, -f 0.%03g 11 74)" > "$tmp/many.scene"
+  ends 0 "$randpack" run "$tmp/many.scene" --out "$tmp/many" && awk -F'\t' '/^#/ { next } !names { names = NF; for (i = 1; i <= NF; i++) if (twice[$i]++) bad = 1 }
+    NF != names { bad = 1 } END { exit bad || names != 257 }' "$tmp/many/theory.tsv"
+}
+tell 'a table of 256 curves has 257 names' many
 tell 'the well-stirred line' prints '1.5 0\n2 1\n7.25 1\n' "$randpack" theory well-stirred --phi 0.1 --at 1.5,2,7.25
 beyond() {
   ends 0 "$randpack" theory py --phi 0.7 --at 2 && [ "$(wc -l < "$tmp/out")" = 1 ] && grep -q 'note: no pack' "$tmp/err"

@@ -91,7 +91,7 @@ tell 'rows of summaries are told' rows
 # ---- the words about files, errors and ends
 tree() { find "$tmp/made/$1" -type f -printf '%f\n' | sort | tr '\n' ' '; }
 tell 'a run leaves its packs and its tables' test "$(tree propellant)" = 'pack-0.xyz pack-1.xyz pack-2.xyz pack-3.xyz partial.coarse-coarse.tsv partial.coarse-fine.tsv partial.fine-fine.tsv summary.tsv '
-sizes() { head -n 5 "$tmp/made/concrete/sizes.tsv" | tail -n 1 | diff - <(printf 'species\ta\tnumber\tby_law\tvolume\tby_law\n'); }
+sizes() { head -n 5 "$tmp/made/concrete/sizes.tsv" | tail -n 1 | diff - <(printf 'species\ta\tnumber\tnumber_by_law\tvolume\tvolume_by_law\n'); }
 tell 'sizes.tsv has the made and the wanted shares' sizes
 curve() { awk -F'\t' '/^#/ || /^species/ { next } ($5 - $6) ^ 2 > 0.04 ^ 2 { bad = 1 } END { exit bad || NR < 50 }' "$tmp/made/concrete/sizes.tsv"; }
 tell 'which agree' curve
