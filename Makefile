@@ -362,7 +362,7 @@ $(B)/obj/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
 $(B)/unit/%: tests/test_%.c $(OBJECTS) $(REFERENCES:tests/%.c=$(B)/obj/%.o) $(wildcard tests/*.h)
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c -Itests $(filter-out %.h,$^) $(LIBS) -o $@
-check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench $(B)/hard $(UNITS:%=$(B)/unit/%) ## the long tests, under 45 minutes
+check-slow: $(B)/bin/randpack $(B)/slow $(B)/bench $(B)/hard $(UNITS:%=$(B)/unit/%) ## the long tests, an hour or two
 	@CC='$(CC)' tests/run $(sort $(wildcard tests/slow-*.sh))
 # Warnings are errors here and in CI only: in a build of its own, or, as in CI, in the build that was made so from the start.
 programs: $(B)/bin/randpack $(B)/hard $(B)/slow $(B)/bench $(UNITS:%=$(B)/test/%)
