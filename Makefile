@@ -356,7 +356,7 @@ check: $(UNITS:%=$(B)/test/%) $(B)/bin/randpack $(B)/hard library ## the tests, 
 $(B)/slow: tests/slow.c tests/few.h $(OBJECTS)
 	@$(CC) $(CFLAGS) $(WARNINGS) -I$(B)/c $(filter-out %.h,$^) $(LIBS) -o $@
 # The same programs of the plain build.
-$(B)/obj/ref_%.o: tests/ref_%.c $(B)/print/flags | $(STAMPS)
+$(B)/obj/ref_%.o: tests/ref_%.c $(B)/print/flags $(B)/print/strict | $(STAMPS)
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $(WARNINGS) -MMD -MP -I$(B)/c -c $< -o $@
 $(B)/unit/%: tests/test_%.c $(OBJECTS) $(REFERENCES:tests/%.c=$(B)/obj/%.o) $(wildcard tests/*.h)
