@@ -28,6 +28,21 @@ triangles() { run three --set 'measure.S3.method="triangles"' &&
 tell 'triangles of their own for each cell find the same, and cells are not alike' triangles
 error() { run error --set measure.S3.error=0.001 && awk -v e="$(value S3_error "$tmp/error")" -v n="$(value S3_samples "$tmp/error")" 'BEGIN { exit !(e <= 0.001 && n > 20000) }'; }
 tell 'an error that is asked for' error
+# The error over packs, from packs of which one is left out: the samples are others then, so there are many of them.
+lacking() { # lacking PACKS LEFT_OUT: the correlation without it
+  local k files=()
+  for ((k = 0; k < $1; k++)); do [ "$k" = "$2" ] || files+=("$tmp/many/pack-$k.xyz"); done
+  ends 0 "$randpack" measure "${files[@]}" --scene "$tmp/a.scene" --set measure.S3.samples=1000000.0 --out "$tmp/less" && value S3_correlation "$tmp/less"
+}
+jackknife() {
+  local k n=6
+  run many --set realizations=$n --set measure.S3.samples=1000000.0 || return
+  for ((k = 0; k < n; k++)); do lacking $n $k || return; done |
+    awk -v told="$(awk -F'\t' '$1 == "S3_correlation" { print $3 }' "$tmp/many/summary.tsv")" '{ r[NR] = $1; mean += $1 }
+      END { mean /= NR; for (k = 1; k <= NR; k++) s += (r[k] - mean) ^ 2; e = sqrt((NR - 1) / NR * s)
+        if (NR != 6 || !(told > 0.9 * e && told < 1.1 * e)) { print "told", told, "by leaving out", e; exit 1 } }'
+}
+tell 'the correlation over packs has the error of leaving out each' jackknife
 file() { ends 0 "$randpack" measure "$tmp"/one/pack-{0,1,2}.xyz --scene "$tmp/a.scene" --out "$tmp/file" &&
   diff <(grep -v '^#' "$tmp/one/S3.tsv") <(grep -v '^#' "$tmp/file/S3.tsv") > "$tmp/diff"; }
 tell 'measured from files it is the same' file

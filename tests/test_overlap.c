@@ -296,6 +296,31 @@ static void test_coincident(void) {
   free_shapes(shapes);
 }
 
+/* Different quadrilaterals at one place and angle, in either order */
+static void test_irregular(void) {
+  Rng rng = rng_stream(75, 0, RNG_TEST);
+  int differ = 0, unlike = 0;
+  Outcome out = {0};
+  for (int k = 0; k < 200; k++) {
+    Shape *shape[2];
+    for (int i = 0; i < 2; i++) {
+      double v[4][2], turn[4] = {0, M_PI / 2, M_PI, 3 * M_PI / 2};
+      for (int j = 0; j < 4; j++)
+        elementary_turn(turn[j] + 0.5 * rng_uniform(&rng), &v[j][0], &v[j][1]);
+      shape[i] = shape_convex(4, (const double(*)[2])v, &out);
+    }
+    Body A = body(shape[0], 1, 0.3, 0.4, 0.9), B = body(shape[1], 1, 0.3, 0.4, 0.9);
+    Overlap o, p;
+    differ += !overlap_find(&A, &B, &o) || !overlap_find(&B, &A, &p) || o.area != p.area || o.x != p.x || o.y != p.y ||
+              o.fx != -p.fx || o.fy != -p.fy || o.torque_A != p.torque_B || o.torque_B != p.torque_A;
+    unlike += o.area < 3.14;
+    shape_free(&shape[0]);
+    shape_free(&shape[1]);
+  }
+  gsl_test_int(differ, 0, "irregular shapes at one place, in either order");
+  gsl_test_int(unlike > 180, 1, "are not one shape");
+}
+
 /* A shape wholly inside another, of any kinds, in the middle or not */
 static void test_contained(void) {
   Shape *shapes[SHAPES];
@@ -390,6 +415,7 @@ int main(void) {
   test_tip();
   test_forces();
   test_coincident();
+  test_irregular();
   test_contained();
   test_needles();
   test_sampled();
