@@ -146,6 +146,10 @@ static void test_possible(void) {
   theory_possible(THEORY_WILLIS, phi);
   near(phi[0], kappa / (1 + 8 * kappa), 1e-12, "willis from", phi[0], 0);
   near(phi[0], 0.1081, 5e-5, "willis from", phi[0], 0);
+  int off = 0;
+  for (double c = 0.01; c < 0.7; c += 0.01)
+    off += theory_structure(THEORY_WILLIS, c, 0) != 0;
+  gsl_test_int(off, 0, "willis: S(0) is zero, to the last digit");
   near(theory_structure(THEORY_WILLIS, phi[1], 2.27), 0, 1e-3, "willis to",
        phi[1], 2.27);
   gsl_test(!(theory_least_structure(THEORY_WILLIS, phi[1] + 1e-3) < -1e-3),
