@@ -61,6 +61,22 @@ tell 'SIGINT too' stopped INT 130
 tell 'and goes on' goes_on grown-INT --threads 2
 tell 'SIGHUP, with nothing to be written' stopped HUP 129 --checkpoint 0
 tell 'writes nothing' test ! -e "$tmp/grown-HUP/parts"
+listens() { until grep -q '^SigCgt:.*[2367abef]$' "/proc/$pid/status"; do sleep 0.01; kill -0 $pid || break; done; } # to SIGINT
+later() { # a scene that never comes: it can only wait. Two signals within a second are one stop, as timeout sends it; a later one is obeyed
+  mkfifo "$tmp/never.scene" && begin never || return 1
+  listens
+  kill -INT $pid
+  sleep 0.1
+  kill -INT $pid
+  sleep 2.1
+  grep -q '^SigCgt' "/proc/$pid/status" && grep -q '^State:.[RS]' "/proc/$pid/status" || { echo 'ended by the second'; return 1; }
+  kill -INT $pid
+  for _ in $(seq 100); do kill -0 $pid 2> /dev/null && sleep 0.05; done
+  kill -KILL $pid 2> /dev/null
+  ended
+  [ $status = 130 ]
+}
+tell 'two signals within a second are one, a later one ends it at once' later
 deaf() { # who was started deaf to a signal stays so
   (trap '' TERM; exec "$randpack" run "$tmp/grown.scene" --out "$tmp/grown-deaf" --threads 1) &
   pid=$!
@@ -87,7 +103,8 @@ measuring() { # of packs that are measured nothing is kept
   "$randpack" measure "$tmp"/grown/pack-?.xyz --scene "$tmp/grown.scene" --out "$tmp/measured" > "$tmp/out" 2> "$tmp/err" < /dev/null \
     --set measure.pressure.each=1e6 &
   pid=$!
-  sleep 0.3
+  listens
+  sleep 0.1
   kill -TERM $pid
   ended
   [ $status = 143 ] && grep -q 'interrupted at .*; no table was written' "$tmp/err" && [ -z "$(ls "$tmp/measured" 2> /dev/null)" ]
