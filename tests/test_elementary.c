@@ -73,11 +73,19 @@ static void test_power(void) {
   }
   gsl_test(!(small < 2e-16), "power: relative error %.3g", small);
   gsl_test(!(large < 1e-15), "power to exponents of thousands: relative error %.3g", large);
+  double short_way = 0;
+  for (int i = 0; i < as_many(40000, 2000000); i++) {
+    static const double exponents[] = {3, 4, 0.25};
+    double x = (i & 1 ? 1 : 900) * rng_uniform(&rng), p = exponents[i % 3];
+    short_way = worse(short_way, elementary_power(x, p), powl(x, p), powl(x, p));
+  }
+  gsl_test(!(short_way < 1.7e-16), "the powers of m = 2: relative error %.3g", short_way);
   static const struct {
     double x, p, want;
   } edges[] = {{0, 2.5, 0},        {0, 0, 1},         {0, -1.5, INFINITY}, {1, 87.3, 1}, {7.25, 0, 1},
                {7.25, 1, 7.25},    {2, 1000, 0x1p1000}, {2, 1100, INFINITY}, {2, -1100, 0}, {0x1p-1060, 0.5, 0x1p-530},
-               {0.5, 1e12, 0},     {0x1p-1074, -0.5, 0x1p537}};
+               {0.5, 1e12, 0},     {0x1p-1074, -0.5, 0x1p537}, {0x1p-205, 4, 0x1p-820}, {0x1.8p199, 4, 0x1.44p798},
+                   {0x1p-270, 4, 0}, {0x1p260, 4, INFINITY}, {0x1p-1074, 0.25, 0x1.6a09e667f3bcdp-269}};
   for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
     double got = elementary_power(edges[i].x, edges[i].p);
     gsl_test(!(got == edges[i].want || fabs(got / edges[i].want - 1) < 3e-16), "%g to the %g: %g", edges[i].x,
