@@ -31,6 +31,7 @@ tell 'voxels of a list' refused '--cells is not an option of csv; it is an optio
 tell 'a gap of voxels' refused '--gap is not an option of vti; it is an option of gmsh' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --gap 0.1
 tell 'cells that are none' refused '--cells 8x8: give a whole number from 1 to 32768, or one for each side, as 64x64x32' \
   "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --cells 8x8
+tell 'cells with an end missing' refused '--cells 64x: give a whole number' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --cells 64x
 tell 'more cells than can be' refused '--cells 40000: give' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --cells 40000
 tell 'a step that is none' refused '--step 0: give a length above 0' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --step 0
 tell 'two ways to say it' refused '--cells and --step; give one' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.vti" --step 1 --cells 9
@@ -48,6 +49,7 @@ frames() {
 tell 'frames are counted from 0' frames
 tell 'two packs and no frame' refused 'both.xyz: holds several packs; give --frame 0' "$randpack" convert "$tmp/both.xyz" "$tmp/x.csv"
 tell 'a frame too far' refused 'both.xyz: has 2 packs only; give --frame 0 to 1' "$randpack" convert "$tmp/both.xyz" "$tmp/x.csv" --frame 2
+tell 'a frame beyond one pack' refused 'deep.xyz: has one pack only; give --frame 0' "$randpack" convert "$tmp/deep.xyz" "$tmp/x.csv" --frame 1
 tell 'a frame that is none' refused '--frame -1: give a whole number from 0' "$randpack" convert "$tmp/both.xyz" "$tmp/x.csv" --frame -1
 
 # --- whole or not at all

@@ -212,6 +212,8 @@ static void test_hard(void) {
   Rng rng = rng_stream(333, 0, RNG_TEST);
   gsl_test_abs(cluster_function(none, BINS, r, 100, &rng, C).alone, 0, 0, "no particle");
   gsl_test_abs(C[0], 0, 0, "no particle, no cluster");
+  cluster_function(twins, 1, r, 1.01, &rng, C);
+  gsl_test_rel(C[0] * 216, pack_ball(3, 1), 1e-12, "two points stand for the whole, as of 1.01");
   sample(twins, r, mean, error);
   gsl_test_rel(mean[0], pack_ball(3, 1), 1e-12, "coincident spheres count once");
   for (int b = 1; b < BINS; b++)

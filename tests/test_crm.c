@@ -2,6 +2,7 @@
 #include "few.h"
 #include "crm.h"
 #include "engine.h"
+#include "lattice.h"
 #include "many.h"
 #include "ref_motion.h"
 #include "theory.h"
@@ -431,6 +432,21 @@ static void jams(void) {
   pack_free(&pack);
 }
 
+/* A crystal in contact is jammed before any time has passed. */
+static void jammed_before(void) {
+  Species one = {.name = "A", .radius = 1.4};
+  for (int k = 0; k < 2; k++) {
+    Pack *pack = lattice_make(k ? LATTICE_FCC : LATTICE_CUBIC, 1 - k, &one, 0);
+    CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = .1, .budget = 100};
+    Rng rng = rng_stream(3, 1, RNG_TEST);
+    CrmReport report;
+    Outcome out = {0};
+    int status = crm_jam(pack, &plan, &rng, &report, &out);
+    gsl_test(status || !(report.Z >= 1e9), "%d spheres of a crystal in contact: %d, Z %g, %s", (int)pack->n, status, report.Z, out.text);
+    pack_free(&pack);
+  }
+}
+
 static void in_two_steps(void) {
   Pack *pack = random_points(3, (size_t)as_many(250, 500), cube, 1, 0, 1, 2);
   CrmPlan plan = {.protocol = CRM_LITERAL, .rate = .2, .fraction = .4,
@@ -682,5 +698,6 @@ int main(void) {
   in_two_steps();
   heats();
   jams();
+  jammed_before();
   return gsl_test_summary();
 }

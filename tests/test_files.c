@@ -228,7 +228,7 @@ static void test_data(void) {
   static const char *const same[] = {
       HEADER "\nMasses\n\n1 1\n2 1 # Atoms\n\nAtoms # sphere\n\n3 1 2 1 0 0 0\n1 2 1.0 1 3 0 4.5 1 0 -1 # far\n2 1 2 1 13 -6 1d0\n\nVelocities\n\n1 0 0 0 0 0 0\n",
       HEADER "0 0 0.0 xy xz yz\n\nAtoms  # bpm/sphere\n\n3 7 1 2 1 0 0 0 0 0 0\n2 7 1 2 1 3 4 1 0 0 0\n1 7 2 1 1 3 0 4.5 0 0 0\n",
-      HEADER "2 ellipsoids\n\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n2 2 2 2 1 0 0 0\n3 2 2 2 1 0 0 0\n\n"};
+      HEADER "2 ellipsoids\n1 angles\n3 s\n0 triangles\n\nAtoms # ellipsoid\n\n3 1 1 1 0 0 0\n1 2 1 1 3 0 4.5\n2 1 1 1 3 4 1\n\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n2 2 2 2 1 0 0 0\n3 2 2 2 1 0 0 0\n\n"};
   Outcome out;
   for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
     Pack *pack = get(same[k], &space, &out);

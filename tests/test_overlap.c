@@ -337,6 +337,19 @@ static void test_contained(void) {
   free_shapes(shapes);
 }
 
+/* A pair whose best direction lies where the arc of directions must not be widened. */
+static void test_arc(void) {
+  static const double v[][2] = {{0, 0}, {1, 0}, {0.3, 1e-3}};
+  Outcome out = {0};
+  Shape *needle = shape_superellipse(100, 1.0000001), *sliver = shape_convex(3, v, &out);
+  Body A = {needle, 1, 0, 0, -0.70811081999185066, -0.70610131469249426};
+  Body B = {sliver, 7.908598951554211, -144.94786411972169, -284.40776079537471, -0.6865205059013596, -0.72711044207667741};
+  double gap;
+  gsl_test(overlap_verdict(&A, &B, &gap) != OVERLAP_APART || overlap_verdict(&A, &B, NULL) != OVERLAP_APART, "far apart, also with the gap, %g", gap);
+  shape_free(&needle);
+  shape_free(&sliver);
+}
+
 /* Needles across each other, and along */
 static void test_needles(void) {
   static const double m[] = {0.5, 0.6, 1, 2, 50};
@@ -418,6 +431,7 @@ int main(void) {
   test_irregular();
   test_contained();
   test_needles();
+  test_arc();
   test_sampled();
   test_potential();
   return gsl_test_summary();

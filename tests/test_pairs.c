@@ -225,6 +225,8 @@ static void test_quotients(void) {
   pairs_g(pack, count, 2.2, 0.3, 3, PAIRS_RIGHT, g);
   gsl_test_rel(g[2], 5 * v * (82. / 83) / (4 * M_PI * 2.8 * 2.8 * 0.3), 1e-13,
                "g+");
+  pairs_g(pack, count, 0, 0.3, 3, PAIRS_RIGHT, K);
+  gsl_test(!gsl_isnan(K[0]) || !gsl_finite(K[1]), "the right quotient does not exist at r = 0");
   pairs_g(pack, count, 2.2, 0.3, 3, PAIRS_CENTRAL, g);
   gsl_test_rel(g[2], 5 * v * (82. / 83) / (4 * M_PI * 2.95 * 2.95 * 0.3), 1e-13,
                "g-");
@@ -465,6 +467,7 @@ static void test_extrema(void) {
   gsl_test_abs(side.g, 1 + 3 * gsl_pow_2(0.035), 1e-12, "nor is it as low");
   gsl_test(!gsl_isnan(pairs_extremum(BINS, R, g, 2, 2.01, 1).R),
            "no bin with a parabola");
+  gsl_test(!gsl_isnan(pairs_extremum(BINS, R, g, 2, 2.01, 1).g), "and then no height");
   gsl_rng *rng = rng_gsl_alloc(rng_stream(3, 5, RNG_TEST));
   for (int k = 0; k < REPEATS; k++) {
     double top = -1;

@@ -162,6 +162,7 @@ static void test_hard(void) {
   gsl_test(d[0] != GSL_POSINF || d[1] != GSL_POSINF, "no particle is near");
   gsl_test_abs(pores_exact(none, 1, &H), 1, 0, "no particle: all is free");
   gsl_test(!gsl_isnan(pores_moments_exact(none).mean), "no particle: no mean");
+  gsl_test(!gsl_isnan(pores_moments(d, 2).mean) || !gsl_isnan(pores_moments(d, 2).mean_error), "nor an error");
   gsl_test(!gsl_isnan(pores_moments_exact(full).mean), "no matrix: no mean");
   gsl_test_abs(pores_exact(full, 0, &H), 0, 1e-15, "no matrix");
   pores_centres(twins, d);

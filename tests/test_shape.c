@@ -314,6 +314,12 @@ static void test_nearly_rhombus(void) {
            "m = 1/2 + 1e-9 is not, and as large");
   shape_free(&near);
   shape_free(&far);
+  for (int k = -1; k <= 1; k++) {
+    Shape *ellipse = shape_superellipse(2, 1 + k * 0x1p-52);
+    gsl_test_rel(ellipse->outer, ellipse->a, 1e-11, "the long radius of an ellipse, and of its neighbours");
+    gsl_test_rel(ellipse->inner, ellipse->b, 1e-11, "and the short one");
+    shape_free(&ellipse);
+  }
 }
 
 int main(void) {

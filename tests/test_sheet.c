@@ -82,6 +82,10 @@ static void test_places(void) {
   Sheet *s = table("theta\tR1\tR2\tS3\tS3_err\n0\t0\t0\t1\t0\n", &out);
   gsl_test_int((int)sheet_places(s), 3, "three places before what was measured");
   sheet_free(&s);
+  SheetTrace one[1];
+  s = table("R\tg\tg_err\tK\tK_err\n2\t1\t0\t1\t0\n", &out);
+  gsl_test_int(sheet_traces(s, one, 1), 2, "of two curves there is room for one");
+  sheet_free(&s);
   s = table("R\tpy_0.3\n2\t1\n", &out);
   gsl_test_int((int)sheet_places(s), 0, "nothing was measured");
   sheet_free(&s);

@@ -169,6 +169,11 @@ static void test_batches(void) {
       for (int p = 0; p < 3; p++)
         most = fmax(most, fabs(bits->S[p][k] - names->S[p][k]));
     gsl_test(!(most < 1.5e-4), "%d-D: the same segments by bits and by names, %g", dim, most);
+    for (size_t k = 0; k < 5; k++)
+      for (size_t p = 0; p < 3; p++) {
+        double S = (p == 1 ? 2 : 1) * bits->S[p][k];
+        gsl_test_abs(bits->error[5 * p + k], (p == 1 ? 0.5 : 1) * sqrt(S * (1 - S) / 10000), 1e-9, "the error of function %d at point %d", (int)p, (int)k);
+      }
     twopoint_free(&bits);
     twopoint_free(&names);
     pack_free(&pack);

@@ -449,7 +449,7 @@ static void test_errors(void) {
       {"1\n" FLAT " shape_A=\"superellipse:1.5\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
       {"1\n" FLAT " shape_A=\"superellipse:-1.5:1\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
       {"1\n" FLAT " shape_A=\"superellipse:1.5:0.49\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
-      {"1\n" FLAT " shape_A=\"superellipse:1.5:0.50000000000000011\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
+      {"1\n" FLAT " shape_A=\"superellipse:1.5:0.5000009\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
       {"1\n" FLAT " shape_A=\"superellipse:1.5:nan\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
       {"1\n" FLAT " shape_A=\"vertices:0,0,1,0\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},
       {"1\n" FLAT " shape_A=\"vertices:0,0,1,0,0\"\nA 1 2 0 1 0\n", ":2:", "shape that is none"},

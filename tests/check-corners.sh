@@ -1,0 +1,63 @@
+#!/bin/bash
+# tests/check-corners.sh: corners of makers and measures: what is refused in time, what has no error, what ends.
+. tests/tell.sh
+one() { # one NAME WORDS: a scene
+  printf '%s\n' "$2" > "$tmp/$1.scene"
+}
+run() { ends 0 "$randpack" run "$tmp/$1.scene" --out "$tmp/$1" "${@:2}"; }
+error() { awk -F'\t' -v q="$1" '$1 == q { print $3 }' "$2/summary.tsv"; }
+
+# ---- makers
+one single 'dimension = 3; species = ( { radius = 1.0; number = 1; } ); fraction = 0.2; make = { method = "crm"; };'
+tell 'a single particle grows' run single
+tell 'and has no Gamma, since it does not move' test -z "$(value gamma "$tmp/single")"
+tell 'it cannot collide afterwards' refused 'single.scene:--set: a single particle has no other to collide with; leave it out' \
+  "$randpack" run "$tmp/single.scene" --set make.rest=5
+one start 'dimension = 3; species = ( { radius = 1.0; number = 100; } ); fraction = "max"; make = { method = "crm"; start = "rsa"; start_fraction = 0.2; growth = 0.2; };'
+tell 'growth to jamming from random addition' run start --set make.pressure=1e5
+begun() { ends 1 "$randpack" run "$tmp/start.scene" --set make.start_fraction=0.5 --out "$tmp/new" && grep -q ' of 100 ' "$tmp/err"; }
+tell 'begins at the start fraction, which may be too high for addition' begun
+one wide 'dimension = 2; side = 1e9; species = ( { radius = 1.0; } ); fraction = 0.5; make = { method = "penetrable"; };'
+tell 'more grains than there can be' timeout 60 bash -c ". tests/tell.sh; refused ';' '$randpack' plan '$tmp/wide.scene'"
+one marked 'dimension = 2; species = ( { name = "A"; radius = 1.0; number = 0; }, { name = "B"; radius = 2.0; number = 30; grow = "mark"; } );
+fraction = 0.5; make = { method = "gravity"; }; dilute = {};'
+tell 'a dilution without a fine particle' refused 'the pack has no particle of the first species' "$randpack" run "$tmp/marked.scene" --out "$tmp/new"
+one budget 'dimension = 2; species = ( { radius = 1.0; number = 20; shape = { kind = "polygon"; sides = 4; }; } ); fraction = 0.85;
+make = { method = "compression"; each = 1000; budget = 3.0; };'
+spent() { ends 1 "$randpack" run "$tmp/budget.scene" --out "$tmp/new" && grep -q ' 3 sweeps reached a fraction' "$tmp/err"; }
+tell 'not more sweeps than were allowed' spent
+round() { # superellipses next to an ellipse are ellipses
+  one "$1" "dimension = 2; species = ( { radius = 1.0; number = 30; shape = { kind = \"superellipse\"; aspect = 2.0; m = $1; }; } );
+fraction = 0.3; make = { method = \"sequential\"; }; measure = { covered = {}; };"
+  run "$1"
+}
+tell 'an exponent just above that of an ellipse' round 1.0000000000000002
+tell 'and just below' round 0.9999999999999998
+
+# ---- measures
+one central 'dimension = 3; species = ( { radius = 1.0; number = 500; } ); fraction = 0.2; make = { method = "rsa"; };
+measure = { rdf = { step = 3.0; reach = 8.0; estimator = "central"; }; };'
+tell 'a central bin with its middle at contact' run central
+tell 'that cannot begin below 0' refused 'step of measure.rdf is 5, and with the estimator central the first bin would begin below R = 0; give at most 4' \
+  "$randpack" run "$tmp/central.scene" --set measure.rdf.step=5.0 --out "$tmp/new"
+one right 'dimension = 3; species = ( { radius = 1.0; number = 50; } ); fraction = 0.2; make = { method = "points"; }; realizations = 4;
+measure = { rdf = { step = 0.1; reach = 1.0; estimator = "right"; peaks = [0.52, 0.53]; }; };'
+zero() { run right && [ "$(awk -F'\t' '$1 == 0 { print $2 }' "$tmp/right/rdf.tsv")" = nan ]; }
+tell 'the right quotient does not exist at 0' zero
+tell 'an interval without a parabola has no height' test "$(value peak1_g "$tmp/right")" = nan
+one lonely 'dimension = 3; species = ( { radius = 1.0; number = 1; } ); fraction = 0.001; make = { method = "rsa"; }; measure = { approach = {}; };'
+tell 'a curve of no time' run lonely
+one late 'dimension = 2; side = 12.0; species = ( { radius = 1.0; } ); fraction = "max"; realizations = 12; make = { method = "rsa"; }; measure = { approach = {}; };'
+slopes() { # some of these have one late pack alone, whose slope has no error; in none it is the number 0 with a sign
+  local seed
+  for seed in $(seq 12); do
+    run late --set seed="$seed" || return 1
+    [ "$(error approach_exponent "$tmp/late")" != -nan ] || { echo "seed $seed"; return 1; }
+  done
+}
+tell 'a slope without an error' slopes
+one both 'dimension = 3; species = ( { radius = 1.0; number = 100; } ); fraction = 0.3; make = { method = "rsa"; };
+shake = { rule = "newton"; sweeps = 4; samples = 2; }; measure = { contact = {}; };'
+tell 'a pressure between samples' run both
+tell 'has not the error of another' test "$(error shaken.Z "$tmp/both")" = nan
+exit $failed
