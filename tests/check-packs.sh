@@ -97,4 +97,22 @@ good 'no species' "3\n$box Properties=pos:R:3:radius:R:1\n1.25 2 3 1\n5 6 7.5 1\
 good 'tabs between words' "3\n$full\nA\t1.25\t2\t3\t1\nA\t5\t6\t7.5\t1\nA\t1\t6.5\t0\t1\n"
 good 'a box that an earlier comment names' "3\ncomment=\"was Lattice=3\" $full\n$three"
 good 'a note before the box' "3\nTime=3 MyLattice=\"1\" $full\n$three"
+
+# Names of species that stand in names of tables. Where they do not, they are as good as others.
+cat > "$tmp/pairs.scene" <<'END'
+dimension = 3; unit = 1.0; measure = { partials = { reach = [3.0]; step = 0.5; }; };
+END
+names() { printf '4\n%s\n%s 1 1 1 1\n%s 5 5 5 1\n%s 1 5 1 1\n%s 5 1 5 1\n' "$full" "$@" > "$tmp/p.xyz"; }
+names A ../B C D
+tell 'a species with a slash' refused 'p.xyz: the species ../B has a slash in its name, and measure.partials writes tables with that name; give' \
+  "$randpack" measure "$tmp/p.xyz" --scene "$tmp/pairs.scene" --out "$tmp/new"
+tell 'where no table is named after it' ends 0 "$randpack" measure "$tmp/p.xyz" --scene "$tmp/s.scene" --out "$tmp/slash"
+names A A-B B-C C
+tell 'two pairs of species of one name' refused 'p.xyz: two pairs of species would be called A-B-C: A with B-C, and A-B with C; give' \
+  "$randpack" measure "$tmp/p.xyz" --scene "$tmp/pairs.scene" --out "$tmp/new"
+tell 'without tables of pairs' ends 0 "$randpack" measure "$tmp/p.xyz" --scene "$tmp/s.scene" --out "$tmp/alike"
+names A A-B B-C D
+dashes() { ends 0 "$randpack" measure "$tmp/p.xyz" --scene "$tmp/pairs.scene" --out "$tmp/dashes" && [ "$(ls "$tmp/dashes"/partial.* | wc -l)" = 10 ]; }
+tell 'names with dashes' dashes
+tell 'and nothing is written' test ! -e "$tmp/new"
 exit $failed
