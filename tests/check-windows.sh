@@ -107,4 +107,18 @@ tell 'a window in which no centre is deep enough' refused 'the window of the pac
 scene cut 'window = { shape = "ball"; radius = 3.0; };' 'edges = "ripley";'
 tell 'a window in which a sphere is nowhere inside' refused 'the window allows R up to ' \
   "$randpack" measure "$tmp/sample.xyz" --scene "$tmp/cut.scene" --out "$tmp/new"
+# Pairs of species: too far in a periodic pack is refused before anything is counted. A single particle in the window has no pairs, so
+# its bins end with the window.
+scene pairs 'window = { shape = "ball"; radius = 2.0; };' ''
+tell 'pairs of species beyond the window of a file' refused 'measure.rdf.reach = 3.5 goes beyond what its edges allow' \
+  "$randpack" measure $from/spheres.xyz --scene "$tmp/pairs.scene" --out "$tmp/new"
+sed -i '/measure = /,$d' "$tmp/pairs.scene" && echo 'measure = { partials = { reach = [3.5]; step = 0.25; scale = "r"; }; };' >> "$tmp/pairs.scene"
+tell 'without other measures too' refused 'measure.partials: A-A touch at R = 2, and what the window allows ends at 2' \
+  "$randpack" measure $from/spheres.xyz --scene "$tmp/pairs.scene" --out "$tmp/new"
+lone() {
+  printf '2\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3:radius:R:1 pbc="F F F"\nA 4.5 4.5 4.5 1\nA 1 1 1 1\n' > "$tmp/lone.xyz"
+  sed -i 's/radius = 2.0/radius = 2.6/' "$tmp/pairs.scene"
+  measure lone pairs "$tmp/lone.xyz" && [ "$(value number.A "$tmp/lone")" = 1 ] && [ "$(grep -c '^[0-9]' "$tmp/lone/partial.A-A.tsv")" = 2 ]
+}
+tell 'a window with a single particle' lone
 exit "$failed"
