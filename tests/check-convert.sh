@@ -55,8 +55,12 @@ tell 'a frame that is none' refused '--frame -1: give a whole number from 0' "$r
 # --- whole or not at all
 replaced() { echo old > "$tmp/old.csv" && convert "$tmp/deep.xyz" "$tmp/old.csv" && cmp "$tmp/old.csv" "$tmp/a.csv"; }
 tell 'an old file is replaced' replaced
-onto() { cp "$tmp/deep.xyz" "$tmp/self.xyz" && convert "$tmp/self.xyz" "$tmp/self.xyz" && convert "$tmp/self.xyz" "$tmp/c.csv" && cmp "$tmp/a.csv" "$tmp/c.csv"; }
-tell 'a pack can be converted onto itself' onto
+onto() {
+  cp "$tmp/deep.xyz" "$tmp/self.xyz" && ln -s self.xyz "$tmp/other.xyz" || return 1
+  for to in self other; do refused "$to.xyz: is the file of the pack itself" "$randpack" convert "$tmp/self.xyz" "$tmp/$to.xyz" || return 1; done
+  cmp "$tmp/deep.xyz" "$tmp/self.xyz" && [ -L "$tmp/other.xyz" ]
+}
+tell 'a pack is not converted onto itself, by any name' onto
 full() {
   local f
   for f in csv vti geo; do
@@ -89,11 +93,12 @@ same() { # same A B TOLERANCE: the same tables, to so much
   done
 }
 back() { # back NAME DIMENSION TOLERANCE ENDING...: written and measured again
-  local name=$1 scene=m$2 most=$3 f
+  local name=$1 scene=m$2 most=$3 f to
   shift 3
   with_box "$scene" "$tmp/$name.xyz" && measured want "$scene" "$tmp/$name.xyz" || return 1
   for f in "$@"; do
-    convert "$tmp/$name.xyz" "$tmp/$name.$f" && rm -rf "$tmp/got" && if [ "$f" = data ] || [ "$f" = xyz ]; then measured got "$scene" "$tmp/$name.$f"; else measured got boxed "$tmp/$name.$f"; fi &&
+    to=$tmp/$name.$f && [ "$f" != xyz ] || to=$tmp/$name-again.xyz
+    convert "$tmp/$name.xyz" "$to" && rm -rf "$tmp/got" && if [ "$f" = data ] || [ "$f" = xyz ]; then measured got "$scene" "$to"; else measured got boxed "$to"; fi &&
       same want got "$most" || { echo "$name.$f"; return 1; }
   done
 }
@@ -115,6 +120,18 @@ finite() { # without the radius that only xyz keeps
   measured want heap "$tmp/heap.xyz" && convert "$tmp/heap.xyz" "$tmp/again.xyz" && measured got heap "$tmp/again.xyz" && same want got 0
 }
 tell 'a finite pack, about its middle' finite
+moved() { # a comment says by how much, where the format has comments
+  local f
+  printf '3\nProperties=species:S:1:pos:R:3:radius:R:1\nA 101 105 105 1\nA 105 105 105 1\nB 109 105 107 1\n' > "$tmp/far.xyz"
+  for f in txt data vtu vti nrrd pov; do
+    convert "$tmp/far.xyz" "$tmp/far.$f" && [ "$(grep -ac 'places from the middle of the pack; add 105 105 106 for those in the file' "$tmp/far.$f")" = 1 ] || { echo $f; return 1; }
+  done
+  [ "$(tail -1 "$tmp/far.txt")" = '4 0 1 1' ] && convert "$tmp/far.xyz" "$tmp/again.xyz" || return 1
+  awk 'NR == 2 { match($0, /moved="[^"]*/); split(substr($0, RSTART + 7, RLENGTH - 7), m, " ") }
+    NR > 2 { for (k = 1; k < 4; k++) printf "%.9g ", $(k + 1) + m[k]; print $5 }' "$tmp/again.xyz" | diff - <(tail -n 3 "$tmp/far.xyz" | cut -d' ' -f2-) &&
+    convert "$tmp/deep.xyz" "$tmp/deep.txt" && ! grep -q middle "$tmp/deep.txt"
+}
+tell 'and by how much it was moved' moved
 digits() { diff <(awk 'NR > 2 { print $2 "," $3 "," $4 "," $5 "," $1 }' "$tmp/deep.xyz") <(tail -n +2 "$tmp/deep.csv"); }
 tell 'CSV has the digits of the pack' digits
 head_csv() { [ "$(head -1 "$tmp/deep.csv")" = 'x [length],y [length],z [length],radius [length],species' ] && [ "$(head -1 "$tmp/flat.csv")" = 'x [length],y [length],radius [length],species' ]; }
