@@ -28,6 +28,11 @@ tell 'its pairs are counted from the core' curves
 windows() { awk -F'\t' -v m="$(value window_mean "$tmp/one")" '/^#/ || /^n/ { next } { s += $2; t += $1 * $2 } END { exit !((s - 1) ^ 2 < 1e-12 && (t - m) ^ 2 < 1e-10) }' "$tmp/one/histogram.tsv" &&
   K=$(awk -F'\t' '$1 == 2.5 { print $2 }' "$tmp/one/K.tsv") && holds one "near(v[\"window_mean\"], $K * v[\"fraction\"] / (4 / 3 * 3.14159265), 0.6)"; }
 tell 'windows on centres hold as many as K says' windows
+deep() { # two spheres of radius 2 and a tolerance of 1e-7, in the part .6 of the radius
+  awk 'FNR == 2 { match($0, /open=[^ ]*/); R = 0.6 * substr($0, RSTART + 5, RLENGTH - 5) - 4 * (1 + 1e-7); split($0, p, "[\" ]"); h = p[2] / 2 }
+    FNR > 2 { n += ($2 - h) ^ 2 + ($3 - h) ^ 2 + ($4 - h) ^ 2 <= R * R } END { print n / 2 }' "$tmp"/one/pack-{0,1}.xyz > "$tmp/deep"
+  holds one "v[\"coordination_centres\"] == $(cat "$tmp/deep") && v[\"coordination_centres\"] > 50"; }
+tell 'the number of centres whose contacts count is told' deep
 random() { run one random --set measure.histogram.centre=random && holds random 'near(v["window_mean"], v["fraction"] * 2.5 ^ 3, 0.15)'; }
 tell 'and on random points as many as the fraction says' random
 file() { head -2 "$tmp/one/pack-0.xyz" | grep -q 'pbc="F F F".* open=' &&
