@@ -45,6 +45,12 @@ measure = { rdf = { step = 0.1; reach = 1.0; estimator = "right"; peaks = [0.52,
 zero() { run right && [ "$(awk -F'\t' '$1 == 0 { print $2 }' "$tmp/right/rdf.tsv")" = nan ]; }
 tell 'the right quotient does not exist at 0' zero
 tell 'an interval without a parabola has no height' test "$(value peak1_g "$tmp/right")" = nan
+one few 'dimension = 3; species = ( { radius = 1.0; number = 50; } ); fraction = 0.2; make = { method = "points"; }; realizations = 9;
+measure = { rdf = { step = 0.1; reach = 1.0; }; };'
+tell 'nine packs are measured' run few
+tell 'but have no range' test "$(value range "$tmp/few")" = nan
+ten() { run few --set realizations=10 && [ "$(value range "$tmp/few")" != nan ]; }
+tell 'ten have one' ten
 one lonely 'dimension = 3; species = ( { radius = 1.0; number = 1; } ); fraction = 0.001; make = { method = "rsa"; }; measure = { approach = {}; };'
 tell 'a curve of no time' run lonely
 one late 'dimension = 2; side = 12.0; species = ( { radius = 1.0; } ); fraction = "max"; realizations = 12; make = { method = "rsa"; }; measure = { approach = {}; };'

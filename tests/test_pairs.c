@@ -439,6 +439,12 @@ static void test_range(void) {
   g[BINS - 1] = 1, g[0] = 0, se[0] = 0;
   gsl_test_abs(pairs_range(BINS, R, g, se, P, 0.05), R[1], 0,
                "a bin of nothing with no error");
+  for (int b = 0; b < BINS; b++)
+    g[b] = b < BINS / 2 ? 1.5 : 1, se[b] = 0.001;
+  gsl_test(!gsl_isnan(pairs_range(BINS, R, g, se, 9, 0.05)),
+           "no range of nine packs");
+  gsl_test_abs(pairs_range(BINS, R, g, se, 10, 0.05), R[BINS / 2], 0,
+               "a range of ten");
   gsl_rng_free(rng);
 }
 
