@@ -45,6 +45,15 @@ measure = { rdf = { step = 0.1; reach = 1.0; estimator = "right"; peaks = [0.52,
 zero() { run right && [ "$(awk -F'\t' '$1 == 0 { print $2 }' "$tmp/right/rdf.tsv")" = nan ]; }
 tell 'the right quotient does not exist at 0' zero
 tell 'an interval without a parabola has no height' test "$(value peak1_g "$tmp/right")" = nan
+one jump 'dimension = 3; species = ( { name = "A"; radius = 1.0; number = 200; }, { name = "B"; radius = 1.0; number = 100; } ); fraction = 0.2; make = { method = "rsa"; };
+measure = { K = { step = 0.1; reach = 2.5; }; };'
+tell 'K has a jump of hard balls of one size' run jump
+tell 'which is a number' test -n "$(value K_jump "$tmp/jump")"
+no_jump() { run jump --set "$@" && [ -z "$(value K_jump "$tmp/jump")" ]; }
+tell 'but not of points, which are nearer' no_jump make='{method="points";}'
+tell 'nor of two sizes' no_jump 'species=({name="A";radius=1.0;number=200;},{name="B";radius=0.5;number=100;})'
+tell 'nor of many' no_jump 'species=({name="A";radius=1.0;number=300;sizes={law="lognormal";spread=0.3;};})'
+tell 'nor of shapes' no_jump dimension=2 --set make='{method="sequential";}' --set 'species=({name="A";radius=1.0;number=300;shape={kind="polygon";sides=4;};})'
 one few 'dimension = 3; species = ( { radius = 1.0; number = 50; } ); fraction = 0.2; make = { method = "points"; }; realizations = 9;
 measure = { rdf = { step = 0.1; reach = 1.0; }; };'
 tell 'nine packs are measured' run few
