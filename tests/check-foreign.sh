@@ -182,6 +182,31 @@ unit() {
     grep -q '^# unit of length a = 2, as the scene says$' "$tmp/u/rdf.tsv"
 }
 tell 'the scene says the unit' unit
+# Contact is where the particles touch, in any unit: here the radius is 1, and all lengths are the same.
+touching() { # touching UNIT
+  awk -v u="$1" 'BEGIN { printf "dimension = 3; unit = %g; measure = { contact = { step = %g; }; K = { step = %g; reach = %g; }; structure = { reach = %g; step = %g; };\n", u, .02 / u, .02 / u, 2.5 / u, 4 * u, .5 * u
+    printf "rdf = { step = %g; reach = %g; peaks = [%g, %g]; }; partials = { scale = \"r\"; reach = [%g]; step = %g; }; boolean = { reach = %g; step = %g; }; };\n", .5 / u, 3 / u, 2.2 / u, 2.8 / u, 3 / u, .25 / u, 3 / u, .5 / u }' > "$tmp/c.scene"
+  measure "c$1" c $from/spheres.xyz
+}
+same_contact() { # same_contact QUANTITY: is it the same in units of 1, 2 and 0.5?
+  for u in 2 0.5; do near "$(value "$1" "$tmp/c$u")" "$(value "$1" "$tmp/c1")" || return 1; done
+}
+column() { awk -F'\t' -v name="$2" '/^#/ { next } !n++ { for (i = 1; i <= NF; i++) c = $i == name ? i : c; next } { printf "%.6g\n", $c }' "$1"; }
+units() { for u in 1 2 0.5; do touching $u || return 1; done; }
+tell 'three units' units
+for q in contact contact_first_bin Z contact.A-A contact_first_bin.A-A min_gap; do tell "$q is the same in each" same_contact $q; done
+jumps() { near "$(awk -v K="$(value K_jump "$tmp/c2")" 'BEGIN { print -8 * K }')" "$(awk -v K="$(value K_jump "$tmp/c1")" 'BEGIN { print -K }')"; }
+tell 'and K_jump is one volume' jumps
+hard_curve() { for u in 2 0.5; do diff <(column "$tmp/c1/$1.tsv" "$2") <(column "$tmp/c$u/$1.tsv" "$2") || return 1; done; }
+tell 'the structure factor of Percus and Yevick is of their radius' hard_curve structure S_py
+tell 'and so is the law of hard spheres' hard_curve boolean S2_PY
+rooms() { [ "$(tail -1 "$tmp/c2/partial.A-A.tsv" | cut -f 5)" = 1.5 ] && [ "$(tail -1 "$tmp/c0.5/partial.A-A.tsv" | cut -f 5)" = 6 ]; }
+tell 'a reach of partials is in this unit' rooms
+printf 'dimension = 3; unit = 10.0; measure = { contact = {}; };\n' > "$tmp/wide.scene"
+printf 'dimension = 3; unit = 0.1; measure = { contact = { step = 31.0; }; };\n' > "$tmp/narrow.scene"
+tell 'a unit that is wider than half the box' measure wide wide $from/spheres.xyz
+tell 'and a first bin that leaves it' refused 'measure.contact: the first bin, to R = 51 goes beyond half the box' \
+  "$randpack" measure $from/spheres.xyz --scene "$tmp/narrow.scene" --out "$tmp/new"
 tell 'which is of packs from files' refused 'unit is only for packs from files; leave it out' "$randpack" run examples/first.scene --set unit=2 --out "$tmp/new"
 
 # What we wrote is measured as it was.
