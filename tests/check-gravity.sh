@@ -44,7 +44,7 @@ file() { head -2 "$tmp/one/pack-0.xyz" | grep -q 'pbc="F F F".* open=' &&
 tell 'the file of a finite pack says so, and is measured the same' file
 bounds() { run one bounds --set save=false --set 'measure={bounds={reach=6.0;error=1e-3;};}' &&
   holds bounds 'v["zeta2"] > 0.1 && v["zeta2"] < 0.3 && e["zeta2"] > 0 && v["eta2"] > 0.3 && v["eta2"] < 0.7 && v["bounds_error"] < 0.2' &&
-  ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/none" --set 'measure={bounds={reach=20.0;};}' && grep -q 'the core of the pack reaches to R = .*needs 20 from its centres' "$tmp/err"; }
+  ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/none" --set 'measure={bounds={reach=20.0;};}' && grep -q 'measure.bounds needs a centre in the core, R = 20 or more from its edge, and there is none, the deepest is at R = .*; give' "$tmp/err"; }
 tell 'its bounds are of hosts that have all of the reach in the core' bounds
 threads() { run one t1 --threads 1 && run one t2 --threads 2 && diff -r "$tmp/t1" "$tmp/t2"; }
 tell 'with one thread and with two the same' threads
@@ -146,7 +146,7 @@ tell 'a single one has nobody near, no image of its own either' alone
 edge() { local far near
   read -r far near < <(awk -v r="$(value reach "$tmp/one")" 'BEGIN { print r + 0.1, r - 0.1 }')
   run one near --set "measure={rdf={reach=$near;};}" && ends 1 "$randpack" run "$tmp/one.scene" --out "$tmp/far" --set "measure={rdf={reach=$far;};}" &&
-  grep -q 'but the measure needs' "$tmp/err"; }
+  grep -q 'measure.rdf needs a centre in the core, R = .* or more from its edge, and there is none, the deepest is at R = ' "$tmp/err"; }
 tell 'pairs are counted as far as the core reaches, and no farther' edge
 inner() { run one inner --set inside=0.4 --set fraction=0.3 --set 'dilute={}' &&
   holds inner 'near(v["fraction"], 0.3, 1e-12) && near(v["reach"], 0.4 * v["rim"], 1e-9) && v["fraction_dense"] > 0.58'; }

@@ -102,7 +102,7 @@ scene large 'window = { side = 60.0; };' ''
 tell 'a window that is too large' refused 'the window does not lie within the pack; give a smaller one' \
   "$randpack" measure "$tmp/sample.xyz" --scene "$tmp/large.scene" --out "$tmp/new"
 scene far 'window = { side = 6.0; };' 'edges = "minus";'
-tell 'a window in which no centre is deep enough' refused 'the window of the pack reaches to R = ' \
+tell 'a window in which no centre is deep enough' refused 'measure.rdf needs a centre in the window, R = 3.5 or more from its edge, and there is none, the deepest is at R = ' \
   "$randpack" measure "$tmp/sample.xyz" --scene "$tmp/far.scene" --out "$tmp/new"
 scene cut 'window = { shape = "ball"; radius = 3.0; };' 'edges = "ripley";'
 tell 'a window in which a sphere is nowhere inside' refused 'the window allows R up to ' \
