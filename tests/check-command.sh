@@ -20,6 +20,8 @@ many() { # every column of a wide table has its name, and its name alone
 }
 tell 'a table of 256 curves has 257 names' many
 tell 'the well-stirred line' prints '1.5 0\n2 1\n7.25 1\n' "$randpack" theory well-stirred --phi 0.1 --at 1.5,2,7.25
+tell 'several fractions, each behind its comment' prints '# phi 0.3\n2 2.34693877551\n4 1.00566266382\n# phi 0.4\n2 3.33333333333\n4 1.14166050085\n' \
+  "$randpack" theory py --phi 0.3,0.4 --at 2,4
 beyond() {
   ends 0 "$randpack" theory py --phi 0.7 --at 2 && [ "$(wc -l < "$tmp/out")" = 1 ] && grep -q 'note: no pack' "$tmp/err"
 }
@@ -50,6 +52,44 @@ narrow() { # the help, and that of each entry
   [ "$(grep -c '^Example:' "$tmp/each")" -gt 40 ] && ! grep -hE '^.{81}|^ {6,}$| $' "$tmp/all" "$tmp/each" && grep -qE '^ {31}[^ ]' "$tmp/each"
 }
 tell 'no line of help is wider than 80' narrow
+
+examples() { # the example of each entry is right in one of these scenes
+  local name dim rest bad=0
+  for name in $(sed -n 's/^  \(\(make\|shake\|measure\|theory\)\.[A-Za-z0-9_-]*\): .*/\1/p' "$tmp/all"); do
+    "$randpack" help "$name" | sed '1,/^Example:/d' > "$tmp/example"
+    while read -r dim rest; do
+      case $name in make.*) rest=${rest%make *} ;; esac
+      { echo "dimension = $dim; $rest"; cat "$tmp/example"; } > "$tmp/example.scene"
+      "$randpack" plan "$tmp/example.scene" > "$tmp/out" 2> "$tmp/err" && continue 2
+    done << 'END'
+3 species = ( { radius = 1.0; number = 400; } ); fraction = 0.2; make = { method = "rsa"; };
+3 species = ( { radius = 1.0; } ); fraction = 0.2;
+3 species = ( { radius = 1.0; number = 400; } ); make = { method = "gravity"; };
+3 species = ( { radius = 1.0; number = 400; } ); fraction = 0.2; make = { method = "gravity"; };
+2 species = ( { radius = 1.0; number = 400; } ); fraction = 0.2; make = { method = "relax"; };
+2 species = ( { radius = 1.0; number = 400; } ); fraction = 0.2; make = { method = "points"; };
+2 species = ( { radius = 1.0; number = 4; } ); fraction = 0.2;
+END
+    echo "$name: $(cat "$tmp/example")"
+    bad=1
+  done
+  return $bad
+}
+tell 'the examples of help are right' examples
+groups() {
+  local word
+  for word in run plan measure merge view plot theory; do
+    ends 0 "$randpack" help $word && grep -q "^  randpack $word " "$tmp/out" && [ "$(grep -c '^  randpack ' "$tmp/out")" = 1 ] || { echo "$word"; return 1; }
+  done
+  for word in 'make make.crm:' 'shake shake.metropolis:' 'measure measure.rdf:' 'theory theory.py:' 'species species.radius' 'window window.shape' 'make make.method' 'theory theory.phi'; do
+    ends 0 "$randpack" help "${word% *}" && grep -q "^  ${word#* } " "$tmp/out" || { echo "$word"; return 1; }
+  done
+  "$randpack" plan "$tmp/wrong.scene" 2>&1 | sed 's/.*known here: //' | tr ' ' '\n' > "$tmp/known"
+  [ "$(wc -l < "$tmp/known")" = 10 ] && diff <(sort "$tmp/known") <("$randpack" help species | sed -n 's/^  species\.\([a-z]*\) .*/\1/p' | sort)
+}
+echo 'dimension = 3; species = ( { raduis = 1.0; } ); measure = {};' > "$tmp/wrong.scene"
+tell 'help of verbs, groups and species' groups
+tell 'help of what is not there' refused 'help foo: no entry has this name; see' "$randpack" help foo
 
 # --- lattices
 shells() {

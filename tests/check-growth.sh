@@ -91,6 +91,10 @@ tell 'it starts where it was, and may stay there' stays
 from_pack() { tell "$1" refused "$2" "$randpack" run "$tmp/again.scene" --out "$tmp/new" "${@:3}"; }
 from_pack 'a start denser than the fraction' 'again.scene:1: the pack to start from is denser than fraction; give' --set fraction=0.5
 from_pack 'a start of another dimension' 'the pack to start from has no particles, or another dimension; give' --set dimension=2
+sed 's/fraction = 0.6;//' "$tmp/again.scene" > "$tmp/bare.scene"
+tell 'a start without fraction' refused "$tmp/bare.scene:1: fraction is missing in the scene; give" "$randpack" plan "$tmp/bare.scene"
+sed 's/pbc="T T T"/pbc="T T F"/' "$tmp/one/pack-0.xyz" > "$tmp/slab.xyz"
+from_pack 'a start from a slab' 'the pack to start from is not periodic; give one in a periodic box' --set "make.start=$tmp/slab.xyz"
 from_pack 'a start, and species' 'the pack to start from gives the particles and the box; leave' --set 'species=({radius=1.0;number=200;})'
 from_pack 'a start, and a box' 'the pack to start from gives the particles and the box; leave' --set 'box=[1,1,2]'
 from_pack 'a start, and too long a reach' 'measure.rdf.reach = 6 goes beyond half the box; the largest reach here is 5.' --set 'measure.rdf.reach=6.0'

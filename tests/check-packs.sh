@@ -74,6 +74,26 @@ refuse 'a reach beyond half of its box' "measure.rdf.reach = 4 goes beyond half 
 printf '%b' "2\n$full\nA 1 2 3 1\nB 5 6 7 0.5\n" > "$tmp/p.xyz"
 printf 'dimension = 3; measure = { contact = {}; };' > "$tmp/c.scene"
 refuse 'a contact value of two sizes' "has several sizes; contact needs particles of one size" "$tmp/c.scene"
+plain() { # plain NAME WORDS SCENE TEXT: a table of numbers is refused
+  printf '%b' "$4" > "$tmp/p.csv"
+  printf '%b' "$3" > "$tmp/p.scene"
+  tell "$1" refused "$2" "$randpack" measure "$tmp/p.csv" --scene "$tmp/p.scene" --out "$tmp/new"
+}
+one='dimension = 3;\nside = 10.0;\nmeasure = {\n'
+row='3,5,5,1\n7,5,5.5,1\n'
+plain 'an empty cell' "$tmp/p.csv:3: an empty cell is not a number; see" "${one}nearest = {}; };" 'x,y,z,r\n1,2,3,1\n1,,6,1\n'
+for measure in 'profile = {}|profile and radial need finite packs; give' 'radial = {}|profile and radial need finite packs; give' \
+  'approach = {}|approach needs random sequential addition; give'; do
+  plain "a measure that needs a maker: ${measure%% *}" "$tmp/p.scene:4: ${measure#*|}" "$one${measure%|*}; };" "$row"
+done
+plain 'an overlap in a flight' "$tmp/p.csv: the pack overlaps by 1e-07 of the largest radius, and a flight allows 2e-12; give" \
+  "${one}pressure = {}; };" '1,1,1,1\n2.9999999,1,1,1\n'
+finite='dimension = 3; measure ='
+plain 'no centre in the core' "$tmp/p.csv: no centre is in the core; give more particles" "$finite { nearest = {}; };" '-9,0,0,1\n9,0,0,1\n'
+plain 'no centre that is deep enough' "$tmp/p.csv: measure.nearest needs a centre in the core, R = 3 or more from its edge, and there is none, the deepest is at R = 2; give more" \
+  "$finite { nearest = { reach = 3.0; }; };" '-9,0,0,1\n9,0,0,1\n0,0,4,1\n0,-9,0,1\n0,9,0,1\n0,0,9,1\n0,0,-9,1\n'
+plain 'nor in the window' "$tmp/p.csv: measure.nearest needs a centre in the window, R = 3 or more from its edge, and there is none, the deepest is at R = 2; give more" \
+  "dimension = 3; side = 20.0; window = { side = 10.0; }; measure = { nearest = { reach = 3.0; }; };" '7,10,10,1\n12,13,10,1\n12,7,10,1\n'
 tell 'nothing was written' test ! -e "$tmp/new"
 
 # good NAME TEXT: the pack gives the numbers of the first one.
@@ -87,6 +107,15 @@ good() { tell "$1" same "$2"; }
 three='A 1.25 2 3 1\nA 5 6 7.5 1\nA 1 6.5 0 1\n'
 measure "3\n$full\n$three" && mv "$tmp/got" "$tmp/plain"
 tell 'a plain pack is measured' test "$(value number "$tmp/plain")" = 3
+radii() { # of two species, from the scene, which needs no amounts: as from the file
+  printf 'species,x,y,z\nA,1,1,1\nB,6,6,6\nA,4,8,2\n' > "$tmp/r.csv"
+  printf 'species,x,y,z,r\nA,1,1,1,1\nB,6,6,6,2\nA,4,8,2,1\n' > "$tmp/R.csv"
+  echo 'dimension = 3; side = 10.0; measure = { nearest = {}; };' > "$tmp/R.scene"
+  echo 'dimension = 3; side = 10.0; measure = { nearest = {}; }; species = ( { name = "A"; radius = 1.0; }, { name = "B"; radius = 2.0; } );' > "$tmp/r.scene"
+  for f in r R; do ends 0 "$randpack" measure "$tmp/$f.csv" --scene "$tmp/$f.scene" --out "$tmp/of-$f" || return 1; done
+  diff -I '^# scene' -r "$tmp/of-r" "$tmp/of-R"
+}
+tell 'radii of two species from the scene' radii
 good 'positions beyond the box are wrapped' "3\n$full\nA 9.25 -6 3 1\nA -11 14 7.5 1\nA 1 6.5 8 1\n"
 good 'Windows line ends' "3\r\n$full\r\nA 1.25 2 3 1\r\nA 5 6 7.5 1\r\nA 1 6.5 0 1\r\n"
 good 'blank lines at the end' "3\n$full\n$three\n\n"

@@ -23,6 +23,8 @@ mkdir "$tmp/folder" && : > "$tmp/empty.scene" && printf '\0\377\001' > "$tmp/bin
 tell 'an empty scene' refused "$tmp/empty.scene:1: dimension is missing" "$randpack" run "$tmp/empty.scene"
 tell 'a scene that is not there' refused "$tmp/no.scene: cannot be read; give" "$randpack" run "$tmp/no.scene"
 tell 'a directory as a scene' refused "$tmp/folder: cannot be read; give" "$randpack" run "$tmp/folder"
+printf '\357\273\277dimension = 3;\nspecis = 2;\n' > "$tmp/mark.scene"
+tell 'a scene behind a byte order mark' refused "$tmp/mark.scene:2: specis is not a key of a scene; known" "$randpack" run "$tmp/mark.scene"
 tell 'a scene that is no text' refused "$tmp/binary.scene:1: " "$randpack" run "$tmp/binary.scene"
 
 # The scenes of the book, and how a draft and `make check` shorten them, are all right.
@@ -104,6 +106,13 @@ theory py --phi 0 --at 2|--phi 0: give numbers from
 theory py --phi 0.3 --at 2,,3|--at 2,,3: give numbers from 0
 theory py --phi 0.3 --at nan|--at nan: give numbers from 0
 theory py --phi 0.3 --at 2;3|--at 2;3: give numbers from 0
+theory contact --phi 0.3 --at 2|--at is not an option of theory contact; leave
+theory structure --phi 0.3 --at 2|--at is not an option of theory structure; leave
+theory py --phi 0.3 --phi 0.4 --at 2|--phi is given twice; give it once
+run SCENE --out /dev/null/a --out /dev/null/b|--out is given twice; give it once
+run SCENE -o /dev/null/a --out /dev/null/b|--out is given twice; give it once
+run SCENE --threads 1 --out /dev/null/a --threads 2|--threads is given twice; give it once
+measure SCENE --scene SCENE --scene SCENE|--scene is given twice; give it once
 END
 for width in nonsense '' AVX2; do
   tell "RANDPACK_SIMD='$width'" refused 'RANDPACK_SIMD must be default, avx2 or avx512f' \
