@@ -87,7 +87,7 @@ spheres_at() { # six spheres of radius 1, of which the last two are at 7.5 and h
 }
 rounded() {
   spheres_at 9.499999 > "$tmp/round.xyz" && spheres_at 9.49 > "$tmp/deep.xyz" && spheres_at 9.5 > "$tmp/touch.xyz" &&
-    measure round h "$tmp/round.xyz" && near "$(value fraction "$tmp/round")" 0.0251327412 && [ "$(awk '/^[0-9]/ { print $1; exit }' "$tmp/round/rdf.tsv")" != 0.25 ]
+    measure round h "$tmp/round.xyz" && near "$(value fraction "$tmp/round")" 0.0251327412 && [ -z "$(value reduced_density "$tmp/round")" ]
 }
 tell 'what overlaps by the last digit of a file is hard' rounded
 tell 'what overlaps by more is not, and the pair is named' refused \
