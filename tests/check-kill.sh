@@ -61,7 +61,10 @@ tell 'SIGINT too' stopped INT 130
 tell 'and goes on' goes_on grown-INT --threads 2
 tell 'SIGHUP, with nothing to be written' stopped HUP 129 --checkpoint 0
 tell 'writes nothing' test ! -e "$tmp/grown-HUP/parts"
-listens() { until grep -q '^SigCgt:.*[2367abef]$' "/proc/$pid/status"; do sleep 0.01; kill -0 $pid || break; done; } # to SIGINT
+listens() { # to SIGTERM, the second that it asks for
+  local tries=0
+  until grep -q '^SigCgt:.*[4-7c-f]...$' "/proc/$pid/status" || [ $((tries += 1)) -gt 1000 ]; do sleep 0.01; kill -0 $pid || break; done
+}
 later() { # a scene that never comes: it can only wait. Two signals within a second are one stop, as timeout sends it; a later one is obeyed
   mkfifo "$tmp/never.scene" && begin never || return 1
   listens
