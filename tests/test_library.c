@@ -253,7 +253,7 @@ static void test_core(void) {
   gsl_test_rel(part, 8e-27 * N / 8, 0.1, "that of an eighth of its particles");
   gsl_test(randpack_fraction(pack, 0, &part, &out) != RANDPACK_WRONG, "but its box has none");
   gsl_test(randpack_g(pack, 0, 0.7, 2, g, &out) != RANDPACK_WRONG, "and g ends at its radius");
-  gsl_test(randpack_g(pack, 0, 0.49995, 2, g, &out) != RANDPACK_WRONG || !strstr(out.text, "no centre"), "no centre is so deep: %s", out.text);
+  gsl_test(randpack_g(pack, 0, 0.48855, 2, g, &out) != RANDPACK_WRONG || !strstr(out.text, "no centre"), "no centre is so deep: %s", out.text);
   gsl_test_abs(g[1], 1, 0.02, "and g is as it was");
   randpack_free(pack);
 }
