@@ -434,7 +434,7 @@ static void jams(void) {
 
 /* A crystal in contact is jammed before any time has passed. */
 static void jammed_before(void) {
-  Species one = {.name = "A", .radius = 1.4};
+  Species one = {.name = "A", .radius = 1};
   for (int k = 0; k < 2; k++) {
     Pack *pack = lattice_make(k ? LATTICE_FCC : LATTICE_CUBIC, 1 - k, &one, 0);
     CrmPlan plan = {.protocol = CRM_ISOTHERMAL, .rate = .1, .budget = 100};
