@@ -19,7 +19,7 @@ NR == FNR { used[$0]; next }
 FNR == 1 { n = split(FILENAME, path, "/"); name = path[n - 1] }
 /^#/ || $1 == "quantity" || NF < 3 { next }
 name == "seconds" && $1 == "other_code" && $2 > 0 { sign[name] = "\\othercode" }
-!(name "@" $1 in used) { next }
+!(name "@" $1 in used) || $2 ~ /nan/ { next } # nan is as good as missing
 {
   key = name "@" $1; error = $3
   if (error == "nan" || error == "-nan" || error + 0 == 0) { v = plain($2); e = "0"; both = v }

@@ -79,8 +79,8 @@ cat > "$tmp/m3.scene" <<'END'
 dimension = 3; unit = 1.0; measure = { rdf = { step = 0.5; reach = 4.0; }; nearest = {}; K = { step = 1.0; reach = 4.0; }; };
 END
 sed 's/dimension = 3/dimension = 2/' "$tmp/m3.scene" > "$tmp/m2.scene"
-measured() { # measured OUT SCENE PACK: the tables without their headers
-  rm -rf "${tmp:?}/$1" && ends 0 "$randpack" measure "$3" --scene "$tmp/$2.scene" --out "$tmp/$1" && sed -i '/^#/d' "$tmp/$1"/*
+measured() { # measured OUT SCENE PACK: the tables without their headers, and without min_gap, whose diameter is the nominal one of a species
+  rm -rf "${tmp:?}/$1" && ends 0 "$randpack" measure "$3" --scene "$tmp/$2.scene" --out "$tmp/$1" && sed -i '/^#/d; /^min_gap\t/d' "$tmp/$1"/*
 }
 with_box() { # with_box SCENE PACK.xyz: the scene and the box of the pack
   { cat "$tmp/$1.scene"; sides "$2" | awk -v d="${1#m}" '{ printf "side = %.17e; box = [%.17e, %.17e", $1, 1, $2 / $1; if (d == 3) printf ", %.17e", $3 / $1; print "];" }'; } > "$tmp/boxed.scene"
