@@ -108,11 +108,6 @@ theory py --phi 0.3 --at nan|--at nan: give numbers from 0
 theory py --phi 0.3 --at 2;3|--at 2;3: give numbers from 0
 theory contact --phi 0.3 --at 2|--at is not an option of theory contact; leave
 theory structure --phi 0.3 --at 2|--at is not an option of theory structure; leave
-theory py --phi 0.3 --phi 0.4 --at 2|--phi is given twice; give it once
-run SCENE --out /dev/null/a --out /dev/null/b|--out is given twice; give it once
-run SCENE -o /dev/null/a --out /dev/null/b|--out is given twice; give it once
-run SCENE --threads 1 --out /dev/null/a --threads 2|--threads is given twice; give it once
-measure SCENE --scene SCENE --scene SCENE|--scene is given twice; give it once
 END
 for width in nonsense '' AVX2; do
   tell "RANDPACK_SIMD='$width'" refused 'RANDPACK_SIMD must be default, avx2 or avx512f' \

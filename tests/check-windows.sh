@@ -47,7 +47,7 @@ tell 'a ball as large as the core' core
 # Of one species, the pairs of species are all pairs; the neighbours of a bead are K times the others by the volume.
 one() {
   scene one "window = { shape = \"ball\"; radius = 4.9; };" 'edges = "ripley";' && measure one one "$tmp/sample.xyz" || return 1
-  paste <(grep '^[0-9]' "$tmp/one/rdf.tsv") <(grep '^[0-9]' "$tmp/one/partial.A-A.tsv") | awk -F'\t' '
+  paste <(awk -F'\t' '$1 + 0 > 2' "$tmp/one/rdf.tsv") <(grep '^[0-9]' "$tmp/one/partial.A-A.tsv") | awk -F'\t' '
     ($2 - $6) ^ 2 > 1e-18 * $2 ^ 2 { bad = 1 } END { exit bad || NR != 6 }' || { echo 'g'; return 1; }
   near "$(awk '$1 == 3.5 { print $2 }' "$tmp/one/K.tsv")" "$(awk -F'\t' '$5 == 3.5 { print $6 }' "$tmp/one/partial.A-A.tsv")" &&
     near "$(awk -F'\t' -v n="$(value centres "$tmp/one")" '$5 == 3.5 { printf "%.12g", $6 * (n - 1) / (4 / 3 * atan2(0, -1) * 4.9 ^ 3) }' "$tmp/one/partial.A-A.tsv")" \
