@@ -26,12 +26,12 @@ again() { ends 0 "$randpack" measure "$tmp"/one/pack-{0,1}.xyz --scene "$tmp/som
     diff <(grep -v '^#' "$tmp/one/$t.tsv") <(grep -v '^#' "$tmp/again/$t.tsv") > "$tmp/diff" || { echo "$t differs"; return 1; }
   done && diff <(grep -v '^#' "$tmp/one/summary.tsv") <(grep -v '^#' "$tmp/again/summary.tsv"); }
 tell 'measured from its file it gives the same tables' again
-first() { # FILE FROM TO: where g is not 0 first
+first() { # FILE FROM TO [LEAST]: the first bin, or the first in which g is above LEAST
   printf 'dimension = 2; measure = { rdf = { reach = 5.0; }; };\n' > "$tmp/file.scene" &&
     ends 0 "$randpack" measure "$1" --scene "$tmp/file.scene" --out "$tmp/file" &&
-    awk -v from="$2" -v to="$3" '$1 + 0 > 0 && $2 > 0 { exit !($1 > from && $1 < to) }' "$tmp/file/rdf.tsv"
+    awk -v from="$2" -v to="$3" -v least="${4:--1}" '$1 + 0 > 0 && $2 > least { exit !($1 > from && $1 < to) }' "$tmp/file/rdf.tsv"
 }
-hard() { run some hard --set realizations=1 --set fraction=0.3 --set 'make={method="sequential";}' && first "$tmp/hard/pack-0.xyz" 0.6 2; }
+hard() { run some hard --set realizations=1 --set fraction=0.3 --set 'make={method="sequential";}' && first "$tmp/hard/pack-0.xyz" 0.6 2 0; }
 tell 'g of a file begins where centres of shapes can be, nearer than discs of equal area' hard
 begins() { awk '$1 + 0 > 0 { exit !($1 > 0.6 && $1 < 0.7) }' "$tmp/hard/rdf.tsv"; }
 tell 'of packs that the scene makes, its first bin is there' begins
