@@ -100,8 +100,8 @@ deep() {
 tell 'others take it: g from 0, and a reduced density' deep
 tell 'packs of which some overlap' refused "deep.xyz: particles overlap, and none do in $tmp/touch.xyz; measure them separately" \
   "$randpack" measure "$tmp/touch.xyz" "$tmp/deep.xyz" --scene "$tmp/g.scene" --out "$tmp/new"
-both() { measure both g "$tmp/deep.xyz" "$tmp/touch.xyz" && [ "$(value realizations "$tmp/both")" = 2 ] && near "$(value reduced_density "$tmp/both")" 0.0251327412 &&
-  awk '/^[0-9]/ && $1 < 1.5 { n += $2 == 0 } END { exit n != 3 }' "$tmp/both/rdf.tsv"; }
+both() { sed 's/rdf = { step = 0.5/rdf = { step = 0.3/' "$tmp/g.scene" > "$tmp/g3.scene" && measure both g3 "$tmp/deep.xyz" "$tmp/touch.xyz" && [ "$(value realizations "$tmp/both")" = 2 ] && near "$(value reduced_density "$tmp/both")" 0.0251327412 &&
+  awk '/^[0-9]/ && $1 < 1.5 { n += $2 == 0 } END { exit n != 5 }' "$tmp/both/rdf.tsv" && [ "$(awk '/^[0-9]/ { print $1; exit }' "$tmp/both/rdf.tsv")" = 0.15 ]; }
 tell 'unless the first of them does' both
 
 # Two discs on one another are one, and their bounds are those of what they cover.
